@@ -1,0 +1,1 @@
+//! Exact predicates and correctly rounded quotients.

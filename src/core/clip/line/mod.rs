@@ -1,0 +1,1 @@
+//! Lines against a rectangular window.

@@ -1,0 +1,3 @@
+//! Clipping: what part of a line, polygon or triangle lies inside.
+
+pub mod line;

@@ -1,0 +1,295 @@
+//! What a lab shows of a run: listing, sentence, formulas, tables, marks.
+//!
+//! Each algorithm file implements [`Explain`] for its state, so that the algorithm and its
+//! explanation change together. Nothing here knows a colour, a font or a language: a [`Role`] says
+//! what a mark means, a [`Message`] names a sentence.
+
+use crate::{
+    message::{Message, Value},
+    replay::State,
+};
+
+/// How big a step an event ends; the user chooses at which level to step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Level {
+    /// A whole triangle, polygon or segment is done.
+    Primitive,
+    /// One row, border, matrix or tree node is done.
+    Row,
+    /// One pixel, test or assignment.
+    Detail,
+}
+
+impl Level {
+    /// From coarse to fine.
+    pub const ALL: [Self; 3] = [Self::Primitive, Self::Row, Self::Detail];
+}
+
+/// What a mark means. The theme maps a role to a colour AND a marker AND a dash.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// The current step.
+    Active,
+    /// Inside, passed, kept, drawn.
+    Accepted,
+    /// Outside, failed, culled, removed.
+    Rejected,
+    /// Tested next, not decided.
+    Candidate,
+    /// Differs from the step before, or between two runs.
+    Changed,
+    /// Exactly on an edge.
+    Tie,
+    /// Not looked at, and why.
+    Skipped,
+    /// The correctly rounded reference.
+    Exact,
+    /// As the lecture prints it, in rounded arithmetic.
+    Taught,
+    /// Construction and input: outlines, windows, axes; wears the text colour.
+    Neutral,
+}
+
+impl Role {
+    /// All roles, in the order of the theme's table.
+    pub const ALL: [Self; 10] = [
+        Self::Active,
+        Self::Accepted,
+        Self::Rejected,
+        Self::Candidate,
+        Self::Changed,
+        Self::Tie,
+        Self::Skipped,
+        Self::Exact,
+        Self::Taught,
+        Self::Neutral,
+    ];
+}
+
+/// A name with values, shown in one plate: `P1′ (2.375, 2)`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    /// A name of the listing or of the document; empty for a bare value.
+    pub name: String,
+    /// Shown behind the name; a vector in parentheses.
+    pub value: Value,
+}
+
+impl Label {
+    /// A name without a value.
+    pub fn name(name: impl Into<String>) -> Self {
+        Self { name: name.into(), value: Value::None }
+    }
+
+    /// A name and its value.
+    pub fn new(name: impl Into<String>, value: impl Into<Value>) -> Self {
+        Self { name: name.into(), value: value.into() }
+    }
+}
+
+/// Geometry to draw, in the scene units of the algorithm's [`View`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum Mark {
+    /// A point; its marker is the role's.
+    Point {
+        /// Where.
+        at: [f32; 2],
+        /// What it means.
+        role: Role,
+        /// Plate beside it.
+        label: Option<Label>,
+    },
+    /// A segment, dashed and coloured by its role.
+    Segment {
+        /// Both ends.
+        ends: [[f32; 2]; 2],
+        /// What it means.
+        role: Role,
+        /// Plate at its middle.
+        label: Option<Label>,
+    },
+    /// A line right through the picture, parallel to an axis.
+    Guide {
+        /// 0: `x = at`, 1: `y = at`.
+        axis: u8,
+        /// The constant coordinate.
+        at: f32,
+        /// What it means.
+        role: Role,
+        /// Plate at the picture's border.
+        label: Option<Label>,
+    },
+    /// A closed polygon; `object` fills it with the colour of object A, B, C, D, ...
+    Polygon {
+        /// Corners in order.
+        points: Vec<[f32; 2]>,
+        /// What its outline means.
+        role: Role,
+        /// Index of the object whose fill it wears; `None`: the role's own fill.
+        object: Option<usize>,
+        /// Plate at its centroid.
+        label: Option<Label>,
+    },
+    /// One pixel (cell `x..x+1`, `y..y+1`).
+    Pixel {
+        /// Column and row.
+        at: [i32; 2],
+        /// What it means; `Accepted` cells are filled, `Active` outlined, `Tie` with a diamond.
+        role: Role,
+        /// Index of the object whose fill it wears.
+        object: Option<usize>,
+        /// Value at its centre, when there is room.
+        value: Value,
+    },
+    /// A half-open span on the centre line of row `y`: filled end closed, ring end open.
+    Span {
+        /// Row.
+        y: i32,
+        /// Exact crossings with the left and right edge.
+        ends: [f32; 2],
+        /// What it means.
+        role: Role,
+    },
+    /// A free text, such as a region code; `big` is the style of region codes.
+    Text {
+        /// Where its top left corner is.
+        at: [f32; 2],
+        /// What is written.
+        label: Label,
+        /// What it means.
+        role: Role,
+        /// In the size of region codes.
+        big: bool,
+    },
+    /// A picture whose pixel (0, 0) covers the cell `0..1`, `0..1`.
+    Image {
+        /// Width and height in pixels.
+        size: [usize; 2],
+        /// RGBA8, row by row from the top; its length is `4 * width * height`.
+        rgba: std::sync::Arc<Vec<u8>>,
+    },
+}
+
+/// What part of the plane an algorithm is about, and how it is laid out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Smallest coordinates that must be visible.
+    pub min: [f32; 2],
+    /// Largest coordinates that must be visible.
+    pub max: [f32; 2],
+    /// Whether larger y is higher on the screen.
+    pub y_up: bool,
+    /// What lines lie under the drawing.
+    pub grid: Grid,
+}
+
+/// Lines under a drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Grid {
+    /// None.
+    None,
+    /// Unit lines of the plane.
+    Units,
+    /// Pixel cells with rulers.
+    Pixels,
+}
+
+/// One piece of a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Piece {
+    /// Signs and names, the same in every language.
+    Text(&'static str),
+    /// A number put in.
+    Number(Value),
+    /// The number that comes out: highlighted.
+    Result(Value),
+}
+
+/// A formula in its names, and the same with this step's numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    /// Such as `t = (ymin − y1) / (y2 − y1)`.
+    pub general: &'static str,
+    /// The same with numbers, piece by piece.
+    pub numbers: Vec<Piece>,
+}
+
+/// Values to show as a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// Message id of its title.
+    pub title: &'static str,
+    /// Headings; names of the listing or message ids that start with `column-`.
+    pub columns: Vec<&'static str>,
+    /// Rows in order.
+    pub rows: Vec<Row>,
+}
+
+/// One row of a [`Table`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Its heading: a name of the listing, or an index.
+    pub name: String,
+    /// One value for each column.
+    pub cells: Vec<Value>,
+    /// Whether it is the row the step is about.
+    pub active: bool,
+    /// A marker before it.
+    pub role: Option<Role>,
+}
+
+impl Row {
+    /// A row without marks.
+    pub fn new(name: impl Into<String>, cells: Vec<Value>) -> Self {
+        Self { name: name.into(), cells, active: false, role: None }
+    }
+
+    /// Marks it as what the step is about.
+    #[must_use]
+    pub fn active(mut self, active: bool) -> Self {
+        self.active = active;
+        self
+    }
+
+    /// Puts a marker before it.
+    #[must_use]
+    pub fn role(mut self, role: impl Into<Option<Role>>) -> Self {
+        self.role = role.into();
+        self
+    }
+}
+
+/// A mark on the timeline.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Marker {
+    /// What happened there.
+    pub role: Role,
+    /// Message id of a name below it; markers of small steps have none.
+    pub label: Option<&'static str>,
+}
+
+/// What the window, the tour and the trace say about a run. It lives beside the algorithm.
+pub trait Explain: State {
+    /// The algorithm's name as on the command line, and the prefix of its message ids.
+    const NAME: &'static str;
+    /// Pseudocode, one line each, indented by two spaces a level.
+    const LISTING: &'static [&'static str];
+    /// The listing line (from 0) that `event` executes.
+    fn line(event: &Self::Event) -> usize;
+    /// How big a step `event` ends.
+    fn level(event: &Self::Event) -> Level;
+    /// Its mark on the timeline, if it deserves one.
+    fn marker(event: &Self::Event) -> Option<Marker>;
+    /// What is about to happen: the sentence of step 0.
+    fn opening(&self) -> Message;
+    /// What `event` did; `self` is the state after it.
+    fn sentence(&self, event: &Self::Event) -> Message;
+    /// The formulas of `event`; `self` is the state after it.
+    fn formulas(&self, event: &Self::Event, out: &mut Vec<Formula>);
+    /// Current values, under the listing's names.
+    fn tables(&self, out: &mut Vec<Table>);
+    /// The drawing: input, what was done so far, and `event`, the step just taken, as active.
+    fn marks(&self, event: Option<&Self::Event>, out: &mut Vec<Mark>);
+    /// What part of the plane the drawing shows; the same at every step.
+    fn view(&self) -> View;
+}

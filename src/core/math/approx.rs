@@ -151,3 +151,76 @@ impl Div for Approx {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::dyadic::Dyadic;
+    use super::super::testing::{Xorshift, holds};
+    use super::*;
+
+    /// A number that is exact, at an end of its error or within, and what is known of it.
+    fn operand(rng: &Xorshift, limit: u32) -> (Dyadic, Approx) {
+        let value = rng.pick(&[rng.wide_f64(limit), rng.wide_f64(limit), rng.wide_f64(2), 0.0]);
+        let scale = rng.pick(&[0.0, 1e-16, 1e-8, 0.5, 2.0]);
+        let error = rng.pick(&[scale * value.abs(), rng.wide_f64(limit).abs() * scale]);
+        let place = rng.pick(&[-1.0, -0.75, 0.0, 1.0]);
+        let number = Dyadic::from(value) + Dyadic::from(place) * Dyadic::from(error);
+        (number, Approx { value, error })
+    }
+
+    #[test]
+    fn every_operation_bounds_its_error() {
+        let rng = Xorshift::new(1963);
+        // Up to the ends of the exponent range: bounds hold when results overflow and underflow, too.
+        for limit in [2, 30, 500, 1020] {
+            for _ in 0..10_000 {
+                let ((x, a), (y, b)) = (operand(&rng, limit), operand(&rng, limit));
+                for (approx, exact) in [(a + b, &x + &y), (a - b, &x - &y), (a * b, &x * &y), (-a, -&x)] {
+                    let known = approx.error.is_finite() && approx.value.is_finite();
+                    assert!(!known || holds(approx, &exact), "{a:?} {b:?} {approx:?}");
+                    assert!(!known || approx.sign().is_none_or(|sign| sign == exact.sign()));
+                    assert!(known || limit > 500);
+                }
+                let quotient = a / b;
+                if quotient.error.is_finite() && quotient.value.is_finite() {
+                    assert!(!y.is_zero());
+                    let off = (x - Dyadic::from(quotient.value) * &y).abs();
+                    assert!(off <= Dyadic::from(quotient.error) * y.abs(), "{a:?} / {b:?} {quotient:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn bounds_are_tight_enough_to_be_of_use() {
+        let rng = Xorshift::new(53);
+        for _ in 0..1000 {
+            let [a, b] = std::array::from_fn(|_| Approx::exact(rng.wide_f64(100)));
+            for approx in [a + b, a - b, a * b, a / b] {
+                assert!(approx.error <= 1.2e-16 * approx.value.abs());
+            }
+            assert_eq!(a - a, Approx::exact(0.0));
+        }
+    }
+
+    #[test]
+    fn bounds_enclose_the_number() {
+        let rng = Xorshift::new(8);
+        for _ in 0..10_000 {
+            let (number, approx) = operand(&rng, 300);
+            let (low, high) = approx.bounds();
+            assert!(Dyadic::from(low) <= number && number <= Dyadic::from(high));
+        }
+        assert_eq!(Approx::exact(0.1).bounds(), (0.1, 0.1));
+    }
+
+    #[test]
+    fn nothing_is_known_after_division_by_an_interval_around_zero() {
+        let around_zero = Approx { value: 1.0, error: 1.0 };
+        for unknown in [Approx::exact(1.0) / around_zero, Approx::exact(0.0) / Approx::exact(0.0)] {
+            assert_eq!(unknown, Approx::UNKNOWN);
+            assert_eq!((unknown * Approx::exact(0.0) + Approx::from(1.0)).sign(), None);
+            assert_eq!((Approx::product(1.0, 2.0) / unknown).sign(), None);
+        }
+    }
+}

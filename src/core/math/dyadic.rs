@@ -292,3 +292,104 @@ by_value! {
     Sub, sub;
     Mul, mul;
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::Xorshift;
+    use super::*;
+
+    #[test]
+    fn sums_and_products_round_like_ieee_754() {
+        let rng = Xorshift::new(754);
+        for round in 0..30_000 {
+            // Every bit pattern, and pairs of similar exponents.
+            let [a, b] = if round % 2 == 0 {
+                [rng.bits(), rng.bits()].map(f64::from_bits).map(|x| if x.is_finite() { x } else { 0.0 })
+            } else {
+                [rng.wide_f64(540), rng.wide_f64(540)]
+            };
+            let [x, y] = [a, b].map(Dyadic::from);
+            assert_eq!(x.to_f64_nearest(), a);
+            assert_eq!((&x + &y).to_f64_nearest(), a + b);
+            assert_eq!((&x - &y).to_f64_nearest(), a - b);
+            assert_eq!((&x * &y).to_f64_nearest(), a * b, "{a:e} * {b:e}");
+            assert_eq!(x.cmp(&y), a.partial_cmp(&b).unwrap());
+            assert_eq!((-&x).sign(), Sign::of(-a));
+            assert_eq!(x.abs(), Dyadic::from(a.abs()));
+        }
+    }
+
+    #[test]
+    fn integers_and_powers_of_two_are_what_they_say() {
+        assert_eq!(Dyadic::from(-12), Dyadic::from(-1.5f32).mul_pow2(3));
+        assert_eq!(Dyadic::from(u32::MAX) + Dyadic::one(), Dyadic::one().mul_pow2(32));
+        assert!((Dyadic::from(3) - Dyadic::from(3u32)).is_zero());
+        assert_eq!(Dyadic::from(1e-45f32), Dyadic::one().mul_pow2(-149));
+    }
+
+    #[test]
+    fn quotients_of_f32_round_like_ieee_754() {
+        let rng = Xorshift::new(32);
+        for _ in 0..50_000 {
+            let (a, b) = (rng.any_f32(), rng.any_f32());
+            if b != 0.0 {
+                let rounded = Dyadic::ratio_to_f32(&a.into(), &b.into());
+                assert_eq!(rounded.to_bits(), (a / b + 0.0).to_bits(), "{a:e} / {b:e}");
+            }
+        }
+        assert!(Dyadic::ratio_to_f32(&Dyadic::one(), &Dyadic::zero()).is_nan());
+        let tiny = Dyadic::one().mul_pow2(-400);
+        assert_eq!(Dyadic::ratio_to_f32(&-tiny, &Dyadic::one()).to_bits(), 0);
+    }
+
+    /// The number an f32 stands for when results are compared: infinity for the next power of two.
+    fn position(x: f32) -> Dyadic {
+        if x.is_infinite() { Dyadic::from(x.signum()).mul_pow2(128) } else { Dyadic::from(x) }
+    }
+
+    #[test]
+    fn no_f32_is_nearer_than_the_rounded_quotient_and_ties_are_even() {
+        let rng = Xorshift::new(24);
+        for _ in 0..20_000 {
+            // A denominator of many bits times a midpoint of two f32, and just off it.
+            let [a, b, c] = std::array::from_fn(|_| Dyadic::from(rng.any_f32()));
+            let den = a * b + c;
+            let below = rng.pick(&[rng.any_f32(), 0.0, 1.0, f32::MAX, -f32::MAX, f32::MIN_POSITIVE]);
+            let middle = (position(below) + position(below.next_up())).mul_pow2(-1);
+            let off = Dyadic::from(rng.pick(&[-1, 0, 0, 1])).mul_pow2(-600);
+            let num = &den * &middle + off;
+            if den.is_zero() {
+                continue;
+            }
+            let r = Dyadic::ratio_to_f32(&num, &den);
+            let distance = |x: f32| (&num - &den * position(x)).abs();
+            for neighbour in [r.next_up(), r.next_down()] {
+                let order = distance(r).cmp(&distance(neighbour));
+                assert!(order.is_lt() || order.is_eq() && (r.to_bits() & 1 == 0 || r == neighbour), "{r:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn codes_are_the_nearest_and_half_way_goes_up() {
+        let rng = Xorshift::new(255);
+        let two = Dyadic::from(2);
+        for _ in 0..20_000 {
+            let max = rng.pick(&[1, 3, 255, 65_535, 16_777_215, u32::MAX]);
+            let scale = Dyadic::from(rng.any_f32());
+            if scale.is_zero() {
+                continue;
+            }
+            // (2 code + 1) / (2 max) is the step from `code` to the next; -1, 0, 1 is where we are beside it.
+            let code = rng.below(max);
+            let side = rng.pick(&[-1, 0, 1]);
+            let step = (&two * Dyadic::from(code) + Dyadic::one()) * &scale;
+            let num = step + Dyadic::from(side).mul_pow2(-700) * &scale;
+            let den = &two * Dyadic::from(max) * &scale;
+            assert_eq!(Dyadic::ratio_to_code(&num, &den, max), code + u32::from(side >= 0));
+            assert_eq!(Dyadic::ratio_to_code(&-&num, &den, max), 0);
+            assert_eq!(Dyadic::ratio_to_code(&den, &num, max), max);
+        }
+        assert_eq!(Dyadic::ratio_to_code(&Dyadic::one(), &Dyadic::zero(), 255), 0);
+    }
+}

@@ -156,3 +156,69 @@ impl<const N: usize> Expansion<N> {
         self.approx().value
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::dyadic::Dyadic;
+    use super::super::testing::{Xorshift, holds};
+    use super::*;
+
+    fn exact_sum(terms: &[f64]) -> Dyadic {
+        terms.iter().fold(Dyadic::zero(), |sum, &term| sum + Dyadic::from(term))
+    }
+
+    /// The value of the last bit of `x` that is set.
+    fn last_bit(x: f64) -> f64 {
+        let zeros = u64::from((x.to_bits() | 1 << 52).trailing_zeros());
+        f64::from_bits(((x.to_bits() >> 52 & 0x7ff) - 52 + zeros) << 52)
+    }
+
+    #[test]
+    fn transformations_lose_nothing() {
+        let rng = Xorshift::new(1971);
+        for _ in 0..20_000 {
+            let (a, b) = (rng.wide_f64(300), rng.wide_f64(140));
+            let [x, y] = [a, b].map(Dyadic::from);
+            let (sum, tail) = two_sum(a, b);
+            assert_eq!((sum, exact_sum(&[sum, tail])), (a + b, &x + &y));
+            let (difference, tail) = two_diff(a, b);
+            assert_eq!((difference, exact_sum(&[difference, tail])), (a - b, &x - &y));
+            let (product, tail) = two_product(a, b);
+            assert_eq!((product, exact_sum(&[product, tail])), (a * b, &x * &y));
+            let (high, low) = split(a);
+            assert_eq!(exact_sum(&[high, low]), x);
+            assert_eq!([high * high, low * low, high * low].map(Dyadic::from), {
+                let [h, l] = [high, low].map(Dyadic::from);
+                [&h * &h, &l * &l, &h * &l]
+            });
+        }
+    }
+
+    #[test]
+    fn sums_are_exact_ordered_and_free_of_zeros() {
+        let rng = Xorshift::new(1997);
+        for round in 0..20_000 {
+            // Terms in pairs that nearly cancel, over many or few exponents.
+            let mut terms = [0.0; 8];
+            for pair in terms.chunks_exact_mut(2) {
+                pair[0] = rng.wide_f64([3, 60, 390][round % 3]);
+                pair[1] = rng.pick(&[0.0, -pair[0], -pair[0].next_up(), rng.wide_f64(60)]);
+            }
+            let sum = Expansion::sum_of(terms);
+            let exact = exact_sum(&terms);
+            assert_eq!(exact_sum(sum.components()), exact);
+            assert_eq!(sum.sign(), exact.sign());
+            assert!(sum.components().iter().all(|&component| component != 0.0));
+            assert!(sum.components().is_sorted_by(|low, high| low.abs() < last_bit(*high)));
+            assert!(holds(sum.approx(), &exact));
+            assert!(sum.approx().error <= 1e-14 * sum.estimate().abs());
+        }
+    }
+
+    #[test]
+    fn an_empty_sum_is_positive_zero() {
+        let sum = Expansion::sum_of([1.0, 1e-300, -1.0, -1e-300]);
+        assert_eq!((sum.components().len(), sum.sign()), (0, Sign::Zero));
+        assert!(sum.estimate().to_bits() == 0 && Expansion::<0>::ZERO.estimate().to_bits() == 0);
+    }
+}

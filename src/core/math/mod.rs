@@ -33,6 +33,9 @@ pub mod sign;
 pub mod tally;
 pub mod ulp;
 
+#[cfg(test)]
+mod testing;
+
 pub use approx::Approx;
 pub use arithmetic::{Arithmetic, Real};
 pub use dyadic::Dyadic;

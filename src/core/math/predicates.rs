@@ -148,3 +148,119 @@ fn orient3d_exact(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> Sign {
     }
     sum.sign()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::dyadic::Dyadic;
+    use super::super::testing::{KINDS, Xorshift, dependent, holds, independent};
+    use super::*;
+
+    const CASES: u32 = 35_000;
+
+    fn orient2d_oracle(a: [f32; 2], b: [f32; 2], c: [f32; 2]) -> Dyadic {
+        let ([ax, ay], [bx, by], [cx, cy]) = (a.map(Dyadic::from), b.map(Dyadic::from), c.map(Dyadic::from));
+        (&bx - &ax) * (&cy - &ay) - (&by - &ay) * (&cx - &ax)
+    }
+
+    fn orient3d_oracle(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> Dyadic {
+        let ([ax, ay, aw], [bx, by, bw], [cx, cy, cw]) =
+            (a.map(Dyadic::from), b.map(Dyadic::from), c.map(Dyadic::from));
+        ax * (&by * &cw - &bw * &cy) + ay * (&bw * &cx - &bx * &cw) + aw * (&bx * &cy - &by * &cx)
+    }
+
+    #[test]
+    fn orient2d_and_edge_values_agree_with_real_arithmetic() {
+        let rng = Xorshift::new(2016);
+        for kind in KINDS {
+            for nearly_collinear in [false, true] {
+                let mut tally = Tally::default();
+                for _ in 0..CASES {
+                    let [a, b, c] =
+                        if nearly_collinear { dependent(&rng, kind, true) } else { independent(&rng, kind) };
+                    let exact = orient2d_oracle(a, b, c);
+                    assert_eq!(orient2d(a, b, c, &mut tally), exact.sign(), "{}: {a:?} {b:?} {c:?}", kind.0);
+                    assert_eq!(orient2d_exact(a, b, c), exact.sign(), "{}: {a:?} {b:?} {c:?}", kind.0);
+                    let value = edge_value(a, b, c);
+                    assert!(holds(value, &exact), "{}: {a:?} {b:?} {c:?} {value:?}", kind.0);
+                }
+                check_tally(tally, kind.0, nearly_collinear);
+            }
+        }
+    }
+
+    #[test]
+    fn orient3d_agrees_with_real_arithmetic() {
+        let rng = Xorshift::new(1997);
+        for kind in KINDS {
+            for nearly_edge_on in [false, true] {
+                let mut tally = Tally::default();
+                for _ in 0..CASES {
+                    let [a, b, c] =
+                        if nearly_edge_on { dependent(&rng, kind, false) } else { independent(&rng, kind) };
+                    let sign = orient3d_oracle(a, b, c).sign();
+                    assert_eq!(
+                        orient3d_homogeneous(a, b, c, &mut tally),
+                        sign,
+                        "{}: {a:?} {b:?} {c:?}",
+                        kind.0
+                    );
+                    assert_eq!(orient3d_exact(a, b, c), sign, "{}: {a:?} {b:?} {c:?}", kind.0);
+                }
+                check_tally(tally, kind.0, nearly_edge_on);
+            }
+        }
+    }
+
+    /// Ties need the exact tail; numbers drawn independently nearly never do.
+    fn check_tally(tally: Tally, kind: &str, dependent: bool) {
+        assert_eq!(tally.calls, u64::from(CASES));
+        let plausible = match (kind, dependent) {
+            ("random", false) => tally.exact <= 3,
+            // One huge coordinate makes all points look collinear to the differences, now and then.
+            ("any bits", false) => true,
+            _ => tally.exact > 100,
+        };
+        assert!(plausible, "{kind}: {tally:?}");
+    }
+
+    #[test]
+    fn swapping_two_vertices_flips_the_sign_and_rotating_keeps_it() {
+        let rng = Xorshift::new(3);
+        let mut tally = Tally::default();
+        for kind in KINDS {
+            for _ in 0..1000 {
+                let [a, b, c] = dependent(&rng, kind, true);
+                let sign = orient2d(a, b, c, &mut tally);
+                assert_eq!(orient2d(b, c, a, &mut tally), sign);
+                assert_eq!(orient2d(b, a, c, &mut tally), -sign);
+                // At w = 1 the homogeneous determinant is the affine one.
+                let [a, b, c] = [a, b, c].map(|[x, y]| [x, y, 1.0]);
+                assert_eq!(orient3d_homogeneous(a, b, c, &mut tally), sign);
+                assert_eq!(orient3d_homogeneous(c, b, a, &mut tally), -sign);
+            }
+        }
+    }
+
+    #[test]
+    fn a_turn_from_x_towards_y_is_positive() {
+        let mut tally = Tally::default();
+        let (o, x, y) = ([0.0, 0.0], [1.0, 0.0], [0.0, 1.0]);
+        assert_eq!(orient2d(o, x, y, &mut tally), Sign::Positive);
+        assert_eq!(edge_value(o, x, y).value, 1.0);
+        assert_eq!(edge_value(o, x, [7.0, 0.0]), Approx::exact(0.0));
+        assert_eq!(tally, Tally { calls: 1, exact: 0 });
+    }
+
+    #[test]
+    fn the_exact_tail_sees_what_no_rounded_difference_can() {
+        let mut tally = Tally::default();
+        // The differences from the far point round the last bit of the near one away.
+        let (a, b) = ([-1e30, -1e30], [1e30, 1e30]);
+        for (c, sign) in
+            [([0.0, 1e-45], Sign::Positive), ([1e-45, 1e-45], Sign::Zero), ([1e-45, 0.0], Sign::Negative)]
+        {
+            assert_eq!(orient2d(a, b, c, &mut tally), sign);
+        }
+        assert_eq!(tally, Tally { calls: 3, exact: 3 });
+    }
+}

@@ -8,12 +8,15 @@
 
 pub mod explain;
 pub mod history;
+pub mod labs;
 pub mod memo;
 pub mod message;
 pub mod replay;
 pub mod trace;
 
 pub mod math;
+
+pub mod scene;
 
 pub mod transform;
 

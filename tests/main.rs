@@ -1,7 +1,9 @@
 //! Headless tests over core, figure and cli: laws that hold for every algorithm, golden logs,
 //! conformance. No display, no network, no clock.
 
+mod clip_triangle;
 mod cohen_sutherland;
 mod house;
 mod replay;
 mod support;
+mod transform;

@@ -1,1 +1,6 @@
-//! Headless tests.
+//! Headless tests over core, figure and cli: laws that hold for every algorithm, golden logs,
+//! conformance. No display, no network, no clock.
+
+mod cohen_sutherland;
+mod replay;
+mod support;

@@ -15,6 +15,8 @@ pub mod trace;
 
 pub mod math;
 
+pub mod scene;
+
 pub mod transform;
 
 pub mod cull;

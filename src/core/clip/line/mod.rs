@@ -1,1 +1,205 @@
 //! Lines against a rectangular window.
+//!
+//! Contract of every algorithm here: the window is closed, so touching it counts as visible;
+//! what lies inside comes back bit for bit; a cut end lies on the crossed border bit for bit, its
+//! other coordinate is the exact intersection rounded once to binary32. So the answer depends on
+//! the line and the border alone: not on the order of the ends, nor on the algorithm.
+
+pub mod cohen_sutherland;
+mod intersection;
+
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// A point of the window's plane: any unit, y up, finite.
+pub type Point = [f32; 2];
+
+/// Both ends of a segment, in the order given.
+pub type Segment = [Point; 2];
+
+/// The algorithms of this stage.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Algorithm {
+    /// Outcodes: [`cohen_sutherland`].
+    #[default]
+    CohenSutherland,
+}
+
+impl Algorithm {
+    /// Every algorithm, the default first.
+    pub const ALL: [Self; 1] = [Self::CohenSutherland];
+
+    /// The name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::CohenSutherland => "cohen-sutherland",
+        }
+    }
+}
+
+/// A closed axis-parallel window; `xmin <= xmax` and `ymin <= ymax`, equality allowed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Window {
+    /// Left border.
+    pub xmin: f32,
+    /// Bottom border.
+    pub ymin: f32,
+    /// Right border.
+    pub xmax: f32,
+    /// Top border.
+    pub ymax: f32,
+}
+
+impl Window {
+    /// From `[xmin, ymin, xmax, ymax]`; `None` if a minimum is above its maximum or a value is
+    /// not finite.
+    pub fn new([xmin, ymin, xmax, ymax]: [f32; 4]) -> Option<Self> {
+        let finite = [xmin, ymin, xmax, ymax].iter().all(|v| v.is_finite());
+        (finite && xmin <= xmax && ymin <= ymax).then_some(Self { xmin, ymin, xmax, ymax })
+    }
+
+    /// The constant coordinate of a border.
+    #[inline]
+    pub fn at(&self, border: Border) -> f32 {
+        match border {
+            Border::Top => self.ymax,
+            Border::Bottom => self.ymin,
+            Border::Right => self.xmax,
+            Border::Left => self.xmin,
+        }
+    }
+
+    /// Counter-clockwise from the lower left corner.
+    pub fn corners(&self) -> [Point; 4] {
+        let Self { xmin, ymin, xmax, ymax } = *self;
+        [[xmin, ymin], [xmax, ymin], [xmax, ymax], [xmin, ymax]]
+    }
+}
+
+/// A border of the window, in the order in which an outcode is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Border {
+    /// `y = ymax`.
+    Top,
+    /// `y = ymin`.
+    Bottom,
+    /// `x = xmax`.
+    Right,
+    /// `x = xmin`.
+    Left,
+}
+
+impl Border {
+    /// As an outcode is written, from left to right.
+    pub const ALL: [Self; 4] = [Self::Top, Self::Bottom, Self::Right, Self::Left];
+
+    /// 0 if the border is `x = constant`, 1 if it is `y = constant`.
+    #[inline]
+    pub fn axis(self) -> usize {
+        match self {
+            Self::Right | Self::Left => 0,
+            Self::Top | Self::Bottom => 1,
+        }
+    }
+
+    /// The name of its constant.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Top => "ymax",
+            Self::Bottom => "ymin",
+            Self::Right => "xmax",
+            Self::Left => "xmin",
+        }
+    }
+
+    /// Message id of its name.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Top => "word-top",
+            Self::Bottom => "word-bottom",
+            Self::Right => "word-right",
+            Self::Left => "word-left",
+        }
+    }
+}
+
+/// Which end of the segment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum End {
+    /// The first point.
+    P1,
+    /// The second point.
+    P2,
+}
+
+impl End {
+    /// Both ends in order.
+    pub const ALL: [Self; 2] = [Self::P1, Self::P2];
+
+    /// Its name in the listing.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::P1 => "P1",
+            Self::P2 => "P2",
+        }
+    }
+}
+
+/// Four bits saying beyond which borders a point lies; 0 is inside. Written top, bottom, right,
+/// left.
+///
+/// *Source:* Newman and Sproull, Principles of Interactive Computer Graphics, 2nd ed. 1979,
+/// section 5-1.
+#[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub struct Outcode(pub u8);
+
+impl fmt::Display for Outcode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:04b}", self.0)
+    }
+}
+
+impl fmt::Debug for Outcode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl Serialize for Outcode {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl Outcode {
+    /// The bit of a border.
+    #[inline]
+    pub fn bit(border: Border) -> Self {
+        Self(0b1000 >> border as u8)
+    }
+
+    /// Joins the answers to "beyond this border?", in the order of [`Border::ALL`].
+    #[inline]
+    pub fn from_bits(beyond: [bool; 4]) -> Self {
+        Self(beyond.iter().fold(0, |code, &bit| code << 1 | u8::from(bit)))
+    }
+
+    /// The outcode of a point: exact, since it only compares. A NaN counts as inside.
+    #[inline]
+    pub fn of<R: PartialOrd>([x, y]: [R; 2], [xmin, ymin, xmax, ymax]: [R; 4]) -> Self {
+        Self::from_bits([y > ymax, y < ymin, x > xmax, x < xmin])
+    }
+
+    /// Whether the point lies beyond `border`.
+    #[inline]
+    pub fn has(self, border: Border) -> bool {
+        self.0 & Self::bit(border).0 != 0
+    }
+
+    /// The first border, in writing order, whose bit is 1.
+    #[inline]
+    pub fn first(self) -> Option<Border> {
+        Border::ALL.into_iter().find(|&border| self.has(border))
+    }
+}

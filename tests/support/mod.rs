@@ -1,0 +1,9 @@
+//! Shared by all test modules: random inputs, the laws of a traced algorithm, golden files.
+
+mod golden;
+mod laws;
+mod random;
+
+pub(crate) use golden::{check_golden, log_text};
+pub(crate) use laws::{Coverage, check_laws};
+pub(crate) use random::Random;

@@ -3,5 +3,6 @@
 
 mod cohen_sutherland;
 mod coverage;
+mod house;
 mod replay;
 mod support;

@@ -3,6 +3,7 @@
 
 mod clip_triangle;
 mod cohen_sutherland;
+mod coverage;
 mod house;
 mod replay;
 mod support;

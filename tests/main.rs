@@ -5,6 +5,7 @@ mod clip_triangle;
 mod cohen_sutherland;
 mod coverage;
 mod house;
+mod pipeline;
 mod replay;
 mod support;
 mod transform;

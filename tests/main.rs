@@ -2,5 +2,6 @@
 //! conformance. No display, no network, no clock.
 
 mod cohen_sutherland;
+mod house;
 mod replay;
 mod support;

@@ -8,6 +8,7 @@
 
 pub mod explain;
 pub mod history;
+pub mod labs;
 pub mod memo;
 pub mod message;
 pub mod replay;

@@ -1,1 +1,17 @@
-//! Under construction.
+//! From what the core says to what people see and read, with no window.
+//!
+//! [`layout`] turns the marks of a lab into a [`Figure`](figure::Figure) of flat shapes; the window
+//! paints that figure, and [`svg`] and [`png`] write it to a file. [`theme`] maps a role to colour,
+//! marker and dash; [`numbers`] writes values; [`words`] holds every sentence. There is no I/O here,
+//! no clock, no thread and no window toolkit.
+#![forbid(unsafe_code)]
+
+pub mod figure;
+pub mod theme;
+mod tokens;
+
+pub mod numbers;
+pub mod words;
+
+pub mod tables;
+pub mod text;

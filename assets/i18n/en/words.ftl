@@ -1,0 +1,1 @@
+# Words that several areas share: headings of columns and names of things.

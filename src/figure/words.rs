@@ -1,0 +1,181 @@
+//! Every sentence in one place: the Fluent files of `assets/i18n`, embedded and joined with values.
+//!
+//! A file is named after the algorithm or part that it speaks for, and its ids start with that
+//! name; `words` holds what several share (`column-...`, `error-...`, `preset-...` and single
+//! words). Adding a file is adding its name to [`LANGUAGES`].
+
+use std::fmt::Write;
+
+use fluent_bundle::{FluentArgs, FluentResource, FluentValue, concurrent::FluentBundle};
+use fluent_syntax::ast::Entry;
+use rasterscope_core::message::{Message, Value};
+use unic_langid::LanguageIdentifier;
+
+use crate::numbers;
+
+/// One language: its tag and its files by name.
+#[derive(Clone, Copy, Debug)]
+pub struct Language {
+    /// Such as `en`; the folder's name.
+    pub tag: &'static str,
+    /// Name without `.ftl`, and contents.
+    pub files: &'static [(&'static str, &'static str)],
+}
+
+macro_rules! language {
+    ($tag:literal: $($file:literal)*) => {
+        Language {
+            tag: $tag,
+            files: &[$((
+                $file,
+                include_str!(concat!("../../assets/i18n/", $tag, "/", $file, ".ftl")),
+            )),*],
+        }
+    };
+}
+
+/// All languages, the source language first.
+pub const LANGUAGES: &[Language] = &[language!("en":
+    "words"
+    "figure"
+)];
+
+/// The words of one language.
+pub struct Words {
+    language: Language,
+    bundle: FluentBundle<FluentResource>,
+}
+
+impl std::fmt::Debug for Words {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Words({})", self.language.tag)
+    }
+}
+
+impl Default for Words {
+    fn default() -> Self {
+        Self::new(LANGUAGES[0].tag)
+    }
+}
+
+impl Words {
+    /// The words of `language`; of the source language if there is no such language.
+    pub fn new(language: &str) -> Self {
+        let language = LANGUAGES.iter().find(|each| each.tag == language).copied().unwrap_or(LANGUAGES[0]);
+        let tag: LanguageIdentifier = language.tag.parse().unwrap_or_default();
+        let mut bundle = FluentBundle::new_concurrent(vec![tag]);
+        bundle.set_use_isolating(false);
+        bundle.set_formatter(Some(|value, _| match value {
+            FluentValue::Number(number) => Some(numbers::integer(number.value as i64)),
+            _ => None,
+        }));
+        for (_, source) in language.files {
+            // What parses of a file with an error stays; a test demands that nothing is lost.
+            let resource = match FluentResource::try_new((*source).to_owned()) {
+                Ok(resource) | Err((resource, _)) => resource,
+            };
+            bundle.add_resource_overriding(resource);
+        }
+        Self { language, bundle }
+    }
+
+    /// The language's tag.
+    pub fn language(&self) -> &'static str {
+        self.language.tag
+    }
+
+    /// The sentence of `message` with its values; `⟨id⟩` if there is none.
+    pub fn message(&self, message: &Message) -> String {
+        self.try_message(message).unwrap_or_else(|_| format!("⟨{}⟩", message.id))
+    }
+
+    /// The word or phrase `id`; `⟨id⟩` if there is none.
+    pub fn word(&self, id: &'static str) -> String {
+        self.message(&Message::new(id))
+    }
+
+    /// `value` in its shortest form; a [`Value::Word`] in words.
+    pub fn value(&self, value: &Value) -> String {
+        match value {
+            Value::Word(id) => self.word(id),
+            other => numbers::short(other),
+        }
+    }
+
+    /// The sentence of `message`, or what is wrong with it: unknown, or a value missing.
+    pub fn try_message(&self, message: &Message) -> Result<String, String> {
+        let pattern = self
+            .bundle
+            .get_message(message.id)
+            .and_then(|found| found.value())
+            .ok_or_else(|| format!("{}: no such message in {}", message.id, self.language.tag))?;
+        let mut args = FluentArgs::with_capacity(message.args.len());
+        for (name, value) in &message.args {
+            args.set(
+                *name,
+                match value {
+                    // A number stays one, so that a message can choose its plural form.
+                    Value::Int(n) if n.unsigned_abs() < 1 << 53 => FluentValue::from(*n),
+                    other => FluentValue::from(self.value(other)),
+                },
+            );
+        }
+        let mut errors = Vec::new();
+        let text = self.bundle.format_pattern(pattern, Some(&args), &mut errors).into_owned();
+        if errors.is_empty() {
+            return Ok(text);
+        }
+        let mut report = format!("{}:", message.id);
+        for error in errors {
+            // Writing to a String cannot fail.
+            let _ = write!(report, " {error}");
+        }
+        Err(report)
+    }
+
+    /// All ids, each with the name of its file, in the order of the files.
+    pub fn ids(&self) -> Vec<(&'static str, &'static str)> {
+        let mut ids = Vec::new();
+        for &(file, source) in self.language.files {
+            // A borrowed parse, so that the ids live as long as the program.
+            let resource = match fluent_syntax::parser::parse(source) {
+                Ok(resource) | Err((resource, _)) => resource,
+            };
+            ids.extend(resource.body.iter().filter_map(|entry| match entry {
+                Entry::Message(message) => Some((file, message.id.name)),
+                _ => None,
+            }));
+        }
+        ids
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_put_in_and_written_as_numbers() {
+        let words = Words::default();
+        let message = Message::new("figure-hidden-values").with("cells", 1204).with("size", 18_i32);
+        let text = words.message(&message);
+        assert!(text.contains("1\u{2009}204"), "{text}");
+        assert!(!text.contains('\u{2068}'), "isolation marks: {text}");
+    }
+
+    #[test]
+    fn words_inside_values_are_resolved() {
+        let words = Words::default();
+        assert_eq!(words.value(&Value::Word("figure-dark")), "Dark");
+        assert_eq!(words.value(&Value::F32(0.25)), "0.25");
+    }
+
+    #[test]
+    fn an_unknown_message_shows_its_id_and_a_missing_value_is_an_error() {
+        let words = Words::new("tlh");
+        assert_eq!(words.language(), "en");
+        assert_eq!(words.word("no-such-message"), "⟨no-such-message⟩");
+        assert!(words.try_message(&Message::new("no-such-message")).is_err());
+        assert!(words.try_message(&Message::new("figure-hidden-values")).is_err());
+    }
+}

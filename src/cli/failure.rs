@@ -62,7 +62,9 @@ pub(crate) fn written(result: io::Result<()>) -> Result<(), Failure> {
 
 /// The operating system's reason, as an argument of a sentence.
 pub(crate) fn reason(error: &io::Error) -> rasterscope_core::message::Value {
-    use io::ErrorKind::{IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem, StorageFull};
+    use io::ErrorKind::{
+        IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem, StorageFull,
+    };
     use rasterscope_core::message::Value;
     match error.kind() {
         NotFound => Value::Word("word-does-not-exist"),

@@ -38,6 +38,8 @@ macro_rules! language {
 pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
     "figure"
+    "cohen-sutherland"
+    "cli"
 )];
 
 /// The words of one language.

@@ -37,6 +37,8 @@ macro_rules! language {
 /// All languages, the source language first.
 pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
+    "labs"
+    "cohen-sutherland"
     "figure"
     "cohen-sutherland"
     "cli"

@@ -3,6 +3,7 @@
 
 mod cohen_sutherland;
 mod compute;
+mod coverage;
 mod house;
 mod replay;
 mod support;

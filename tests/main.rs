@@ -2,6 +2,7 @@
 //! conformance. No display, no network, no clock.
 
 mod cohen_sutherland;
+mod compute;
 mod coverage;
 mod house;
 mod replay;

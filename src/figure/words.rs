@@ -40,6 +40,8 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "labs"
     "cohen-sutherland"
     "figure"
+    "cohen-sutherland"
+    "cli"
 )];
 
 /// The words of one language.

@@ -22,7 +22,8 @@ fn files(folder: &str, ending: &str) -> Vec<(String, String)> {
                     folders.push(path);
                 }
             } else if path.to_string_lossy().ends_with(ending) {
-                let name = path.strip_prefix(root()).expect("it is below").to_string_lossy().replace('\\', "/");
+                let name =
+                    path.strip_prefix(root()).expect("it is below").to_string_lossy().replace('\\', "/");
                 found.push((name, fs::read_to_string(&path).expect("it is text")));
             }
         }
@@ -62,7 +63,16 @@ fn nothing_stands_where_it_must_be_absent() {
     let rules: [(&str, &[&str]); 3] = [
         (
             "src/core",
-            &["std::fs", "std::thread", "std::time", "println!", "static mut", "thread_local", "mul_add", "egui"],
+            &[
+                "std::fs",
+                "std::thread",
+                "std::time",
+                "println!",
+                "static mut",
+                "thread_local",
+                "mul_add",
+                "egui",
+            ],
         ),
         ("src/figure", &["std::fs", "std::thread", "std::time", "println!", "egui"]),
         ("src/ui", &["std::fs", "std::thread", "std::time", "println!", "eframe"]),

@@ -5,4 +5,5 @@ mod cohen_sutherland;
 mod coverage;
 mod house;
 mod replay;
+mod scanline;
 mod support;

@@ -7,5 +7,6 @@ mod compute;
 mod coverage;
 mod house;
 mod replay;
+mod scanline;
 mod support;
 mod transform;

@@ -39,8 +39,9 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
     "labs"
     "cohen-sutherland"
+    "scanline"
+    "transform"
     "figure"
-    "cohen-sutherland"
     "cli"
 )];
 

@@ -4,10 +4,27 @@
 use rasterscope_core::{
     clip::line::{Segment, Window, cohen_sutherland},
     math::{Arithmetic, Tally},
+    raster::{Counts, Settings, Span, scanline},
     trace::NoTrace,
+    transform::chain::{self, Chain, Path},
 };
 
 #[unsafe(no_mangle)]
 pub fn probe_cohen_sutherland(segment: Segment, window: &Window, tally: &mut Tally) -> Option<Segment> {
     cohen_sutherland::clip_traced(segment, window, Arithmetic::Exact, tally, &mut NoTrace)
+}
+
+#[unsafe(no_mangle)]
+pub fn probe_scanline(
+    triangle: [[f32; 2]; 3],
+    settings: &Settings,
+    tally: &mut Tally,
+    spans: &mut Vec<Span>,
+) -> Counts {
+    scanline::fill_traced(triangle, settings, tally, &mut NoTrace, &mut |span| spans.push(span))
+}
+
+#[unsafe(no_mangle)]
+pub fn probe_transform(vertices: &[[f32; 3]], chain: &Chain) -> Vec<Path> {
+    chain::run_traced(vertices, chain, &mut NoTrace)
 }

@@ -1,4 +1,5 @@
-//! Untraced runs under fixed names: only disassembled, by `tests/check-trace-cost`.
+//! Untraced runs under fixed names, `probe_STAGE_ALGORITHM`: only disassembled, by
+//! `tests/check-trace-cost`.
 #![expect(unsafe_code, missing_docs, reason = "exported names, never called")]
 
 use rasterscope_core::{
@@ -10,12 +11,12 @@ use rasterscope_core::{
 };
 
 #[unsafe(no_mangle)]
-pub fn probe_cohen_sutherland(segment: Segment, window: &Window, tally: &mut Tally) -> Option<Segment> {
+pub fn probe_clip_cohen_sutherland(segment: Segment, window: &Window, tally: &mut Tally) -> Option<Segment> {
     cohen_sutherland::clip_traced(segment, window, Arithmetic::Exact, tally, &mut NoTrace)
 }
 
 #[unsafe(no_mangle)]
-pub fn probe_scanline(
+pub fn probe_raster_scanline(
     triangle: [[f32; 2]; 3],
     settings: &Settings,
     tally: &mut Tally,
@@ -25,6 +26,6 @@ pub fn probe_scanline(
 }
 
 #[unsafe(no_mangle)]
-pub fn probe_transform(vertices: &[[f32; 3]], chain: &Chain) -> Vec<Path> {
+pub fn probe_transform_chain(vertices: &[[f32; 3]], chain: &Chain) -> Vec<Path> {
     chain::run_traced(vertices, chain, &mut NoTrace)
 }

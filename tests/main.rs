@@ -3,9 +3,11 @@
 
 mod clip_triangle;
 mod cohen_sutherland;
+mod compute;
 mod coverage;
 mod house;
 mod pipeline;
 mod replay;
+mod scanline;
 mod support;
 mod transform;

@@ -39,7 +39,10 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
     "labs"
     "cohen-sutherland"
+    "scanline"
+    "transform"
     "figure"
+    "cli"
 )];
 
 /// The words of one language.

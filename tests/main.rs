@@ -11,3 +11,8 @@ mod replay;
 mod scanline;
 mod support;
 mod transform;
+//! Headless tests.
+
+mod obj;
+mod scene;
+mod scene_errors;

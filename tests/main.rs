@@ -6,13 +6,11 @@ mod cohen_sutherland;
 mod compute;
 mod coverage;
 mod house;
+mod obj;
 mod pipeline;
 mod replay;
 mod scanline;
-mod support;
-mod transform;
-//! Headless tests.
-
-mod obj;
 mod scene;
 mod scene_errors;
+mod support;
+mod transform;

@@ -7,6 +7,7 @@ mod compute;
 mod coverage;
 mod house;
 mod interpolate;
+mod pipeline;
 mod replay;
 mod scanline;
 mod support;

@@ -1,6 +1,12 @@
 //! Headless tests over core, figure and cli: laws that hold for every algorithm, golden logs,
 //! conformance. No display, no network, no clock.
 
+mod clip_triangle;
 mod cohen_sutherland;
+mod compute;
+mod coverage;
+mod house;
 mod replay;
+mod scanline;
 mod support;
+mod transform;

@@ -1,1 +1,12 @@
-//! Under construction.
+//! All of Rasterscope that works without a window: `compute`, `trace`, `figure`, `tour`, `list`.
+//!
+//! Each command is a function that takes its options and the streams it writes to, and returns a
+//! [`Failure`] that holds one sentence and the exit code. Files are read and written only in
+//! `files`. Nothing here opens a window, uses the network or reads a clock.
+#![forbid(unsafe_code)]
+
+pub mod compute;
+mod failure;
+mod words;
+
+pub use failure::Failure;

@@ -26,6 +26,8 @@ pub mod clip;
 
 pub mod raster;
 
+pub mod interpolate;
+
 pub mod depth;
 
 pub mod stencil;

@@ -37,8 +37,12 @@ macro_rules! language {
 /// All languages, the source language first.
 pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
-    "figure"
+    "labs"
+    "transform"
     "cohen-sutherland"
+    "scanline"
+    "figure"
+    "cli"
 )];
 
 /// The words of one language.

@@ -1,3 +1,4 @@
 //! Clipping: what part of a line, polygon or triangle lies inside.
 
 pub mod line;
+pub mod polygon;

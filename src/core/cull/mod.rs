@@ -1,5 +1,10 @@
 //! Culling: which triangles need no further work, decided exactly and once.
 
+pub mod facing;
+pub mod frustum;
+
+pub use facing::{Facing, facing};
+
 use serde::{Deserialize, Serialize};
 
 /// Which facing a draw throws away. State of the scene, not a skip: it changes the image.

@@ -1,5 +1,15 @@
 //! The depth test: which fragment is nearest.
+//!
+//! Contract: a fragment's depth is the exact plane value at the pixel's centre, rounded once to
+//! the buffer's format, within the vertices' range.
 
+mod buffer;
+mod plane;
+
+pub use buffer::DepthBuffer;
+pub use plane::DepthPlane;
+
+use crate::interpolate::unorm;
 use serde::{Deserialize, Serialize};
 
 /// WebGPU's eight compare functions: is the new value `op` the stored one?
@@ -43,6 +53,24 @@ impl CompareFunction {
             Self::NotEqual => new != stored,
             Self::GreaterEqual => new >= stored,
             Self::Always => true,
+        }
+    }
+
+    /// The function called `name`.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|compare| compare.name() == name)
+    }
+
+    /// Its sign between the new and the stored value, such as `<`; empty for never and always.
+    pub fn sign(self) -> &'static str {
+        match self {
+            Self::Never | Self::Always => "",
+            Self::Less => "<",
+            Self::Equal => "=",
+            Self::LessEqual => "≤",
+            Self::Greater => ">",
+            Self::NotEqual => "≠",
+            Self::GreaterEqual => "≥",
         }
     }
 
@@ -97,6 +125,39 @@ impl DepthFormat {
             Self::Unorm16 => Some(0xFFFF),
             Self::Unorm24 => Some(0xFF_FFFF),
             Self::Unorm32 => Some(u32::MAX),
+        }
+    }
+
+    /// The format called `name`.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.name() == name)
+    }
+
+    /// How many bits a code has.
+    pub fn bits(self) -> u8 {
+        match self {
+            Self::Unorm16 => 16,
+            Self::Unorm24 => 24,
+            Self::F32 | Self::Unorm32 => 32,
+        }
+    }
+
+    /// The code of a depth: its bits if f32, else `floor(z (2^n - 1) + 1/2)` with z clamped to
+    /// 0..1; exact.
+    #[inline]
+    pub fn encode(self, z: f32) -> u32 {
+        match self.max_code() {
+            None => z.to_bits(),
+            Some(max) => unorm(z, max),
+        }
+    }
+
+    /// The depth of a code; unorm codes give `code / (2^n - 1)`.
+    #[inline]
+    pub fn decode(self, code: u32) -> f64 {
+        match self.max_code() {
+            None => f32::from_bits(code).into(),
+            Some(max) => f64::from(code) / f64::from(max),
         }
     }
 }

@@ -72,6 +72,10 @@ pub trait Real:
     /// Rounds to the nearest f32, ties to even; overflows to infinity.
     #[must_use]
     fn to_f32(self) -> f32;
+
+    /// Converts to f64; exact in both types.
+    #[must_use]
+    fn to_f64(self) -> f64;
 }
 
 impl Real for f32 {
@@ -87,6 +91,11 @@ impl Real for f32 {
     fn to_f32(self) -> f32 {
         self
     }
+
+    #[inline]
+    fn to_f64(self) -> f64 {
+        self.into()
+    }
 }
 
 impl Real for f64 {
@@ -101,6 +110,11 @@ impl Real for f64 {
     #[inline]
     fn to_f32(self) -> f32 {
         self as f32
+    }
+
+    #[inline]
+    fn to_f64(self) -> f64 {
+        self
     }
 }
 

@@ -4,6 +4,14 @@
 //! component is summed in binary64 in a fixed order and rounded once to binary32: the same bits
 //! on every machine.
 
+pub mod chain;
+pub mod matrices;
+mod screen;
+
+pub use chain::{Chain, Space};
+pub use matrices::{Matrix, apply};
+pub use screen::{Viewport, divide};
+
 use serde::{Deserialize, Serialize};
 
 /// Which depths in NDC are visible.

@@ -1,0 +1,34 @@
+# The command line: what is wrong with a request, a file or an option.
+
+error-output = Cannot write to standard output: { $why }.
+error-input = Cannot read standard input to its end: { $why }.
+
+word-does-not-exist = it does not exist
+word-no-permission = no permission
+word-is-a-folder = it is a folder
+word-is-no-folder = one of its folders is a file
+word-read-only = the disk is read-only
+word-disk-full = the disk is full
+
+error-not-utf8 = Not UTF-8: byte { $byte } starts no character.
+error-empty-request = There is no request: write one JSON object, such as {"{"}"op":"clip_line", …{"}"}.
+error-not-an-object = A request is one JSON object, in braces, with at least the field op.
+error-too-long = Longer than { $megabytes } MB: a request that long is not read.
+error-json = Not JSON from line { $line }, column { $column } on.
+error-json-ends = The JSON ends too early, at line { $line }, column { $column }.
+error-json-too-deep = Nested too deeply at line { $line }, column { $column }: at most 127 levels are read.
+error-json-number = The number at line { $line }, column { $column } is too large for binary64.
+error-json-nan = NaN and infinities are no numbers of JSON: line { $line }, column { $column }.
+
+error-missing-field = The field { $field } is missing.
+error-not-a-text = { $field } must be a text in quotes.
+error-not-a-number = { $field } must be a number.
+error-not-a-list = { $field } must be a list in brackets.
+error-list-length = { $field } must hold { $wanted } values, not { $count }.
+error-too-large = { $field } rounds to an infinite binary32 number: at most about 3.4 × 10³⁸ is allowed.
+error-bad-size = { $field } must be two whole numbers from 1 to 16384, together at most 2²⁸ pixels.
+error-empty-window = { $field } must be [xmin, ymin, xmax, ymax] with no minimum above its maximum.
+error-unknown-name = { $field } cannot be { $name }. Known: { $known }.
+error-unsupported = { $field } { $name } is not there yet; it comes in a later version.
+error-overflow = In { $arithmetic } arithmetic the result is no finite number. Use exact.
+error-request-without-steps = A { $op } request has no steps to go through.

@@ -1,0 +1,20 @@
+# Stages, and what keeps a lab from running
+
+stage-scene = Scene
+stage-model = Model
+stage-view = View
+stage-clip-space = Clip space
+stage-cull = Cull
+stage-clip = Clip
+stage-divide = Divide
+stage-viewport = Viewport
+stage-scan-conversion = Scan
+stage-fragments = Fragments
+stage-stencil = Stencil
+stage-depth = Depth
+stage-blend = Blend
+stage-image = Image
+
+error-no-lab = The scene names no lab: choose one, or add a "lab" to the scene file.
+error-window = The window is not one: each minimum must be at most its maximum.
+error-nothing-to-step = Nothing to step: the scene gives the lab { $lab } no triangle. Add one, or choose a preset.

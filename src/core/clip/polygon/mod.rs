@@ -1,0 +1,90 @@
+//! Polygons against a convex region, border by border.
+
+pub mod clip_space;
+
+pub use clip_space::{Corner, Origin, Polygon, clip_triangle};
+
+use crate::transform::DepthRange;
+use serde::Serialize;
+
+/// A border of the visible part of clip space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Plane {
+    /// `-w <= x`.
+    Left,
+    /// `x <= w`.
+    Right,
+    /// `-w <= y`.
+    Bottom,
+    /// `y <= w`.
+    Top,
+    /// `0 <= z` or `-w <= z`: the smallest depth. With reversed depth it is farthest from the eye.
+    Near,
+    /// `z <= w`: the largest depth. With reversed depth it is nearest to the eye.
+    Far,
+}
+
+impl Plane {
+    /// All planes, in the order in which they are cut at.
+    pub const ALL: [Self; 6] = [Self::Left, Self::Right, Self::Bottom, Self::Top, Self::Near, Self::Far];
+
+    /// The id of the word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Left => "word-left",
+            Self::Right => "word-right",
+            Self::Bottom => "word-bottom",
+            Self::Top => "word-top",
+            Self::Near => "word-near",
+            Self::Far => "word-far",
+        }
+    }
+}
+
+/// Which planes clip.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PlaneSet {
+    /// All six.
+    #[default]
+    All,
+    /// Only [`Plane::Near`], as where the rasterizer does the rest.
+    Near,
+}
+
+impl PlaneSet {
+    /// Both sets, the default first.
+    pub const ALL: [Self; 2] = [Self::All, Self::Near];
+
+    /// The planes.
+    pub fn planes(self) -> &'static [Plane] {
+        match self {
+            Self::All => &Plane::ALL,
+            Self::Near => &[Plane::Near],
+        }
+    }
+}
+
+/// The distance of a point of clip space from a plane as a sum of two terms; inside is `>= 0`.
+#[inline]
+fn distance_terms(plane: Plane, [x, y, z, w]: [f32; 4], range: DepthRange) -> [f32; 2] {
+    match plane {
+        Plane::Left => [w, x],
+        Plane::Right => [w, -x],
+        Plane::Bottom => [w, y],
+        Plane::Top => [w, -y],
+        Plane::Near => match range {
+            DepthRange::ZeroToOne => [z, 0.0],
+            DepthRange::MinusOneToOne => [w, z],
+        },
+        Plane::Far => [w, -z],
+    }
+}
+
+/// Whether a point of clip space lies strictly outside a plane; exact, by one comparison.
+#[inline]
+pub fn distance_is_negative(plane: Plane, point: [f32; 4], range: DepthRange) -> bool {
+    let [a, b] = distance_terms(plane, point, range);
+    a < -b
+}

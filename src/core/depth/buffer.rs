@@ -1,0 +1,63 @@
+//! The stored depth of every pixel, and the test against it.
+
+use super::{DepthFormat, DepthState};
+
+/// One depth code a pixel, row by row from row 0.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DepthBuffer {
+    size: [u32; 2],
+    format: DepthFormat,
+    codes: Vec<u32>,
+}
+
+impl DepthBuffer {
+    /// Every pixel at the depth `clear`.
+    pub fn new(size: [u32; 2], format: DepthFormat, clear: f32) -> Self {
+        Self { size, format, codes: vec![format.encode(clear); size[0] as usize * size[1] as usize] }
+    }
+
+    /// Width and height in pixels.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// How a depth is stored.
+    pub fn format(&self) -> DepthFormat {
+        self.format
+    }
+
+    /// All codes; see [`DepthFormat::decode`].
+    pub fn codes(&self) -> &[u32] {
+        &self.codes
+    }
+
+    /// The stored code of a pixel of the buffer.
+    #[inline]
+    pub fn code(&self, [x, y]: [u32; 2]) -> u32 {
+        self.codes[self.index([x, y])]
+    }
+
+    /// The depth test: whether a fragment's code passes against the stored one, which it then
+    /// replaces if the state writes. A state without a test lets all pass and writes nothing.
+    #[inline]
+    pub fn test(&mut self, state: DepthState, pixel: [u32; 2], code: u32) -> bool {
+        if !state.test {
+            return true;
+        }
+        let index = self.index(pixel);
+        let stored = self.codes[index];
+        let passes = match self.format {
+            DepthFormat::F32 => state.compare.passes(f32::from_bits(code), f32::from_bits(stored)),
+            _ => state.compare.passes(code, stored),
+        };
+        if passes && state.write {
+            self.codes[index] = code;
+        }
+        passes
+    }
+
+    #[inline]
+    fn index(&self, [x, y]: [u32; 2]) -> usize {
+        y as usize * self.size[0] as usize + x as usize
+    }
+}

@@ -1,9 +1,14 @@
 //! Headless tests over core, figure and cli: laws that hold for every algorithm, golden logs,
 //! conformance. No display, no network, no clock.
 
+mod clip_triangle;
 mod cohen_sutherland;
 mod compute;
 mod coverage;
 mod house;
+mod coverage;
+mod house;
+mod pipeline;
 mod replay;
 mod support;
+mod transform;

@@ -6,3 +6,5 @@ word-right = right
 word-left = left
 word-accept = accept
 word-reject = reject
+word-near = near
+word-far = far

@@ -1,5 +1,9 @@
 //! Blending: what a fragment's colour becomes over the colour that is there.
 
+mod equation;
+
+pub use equation::{ExactColor, blend};
+
 use serde::{Deserialize, Serialize};
 
 /// What a colour is multiplied by (WebGPU's names).

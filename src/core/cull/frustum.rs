@@ -33,15 +33,13 @@ pub struct Bounds {
 impl Bounds {
     /// The box around points of object space (w = 1); `None` if there are none.
     pub fn of(points: &[[f32; 3]]) -> Option<Self> {
-        let &[x, y, z] = points.first()?;
-        let mut bounds = Self { min: [x, y, z, 1.0], max: [x, y, z, 1.0] };
-        for point in points {
-            for axis in 0..3 {
-                bounds.min[axis] = bounds.min[axis].min(point[axis]);
-                bounds.max[axis] = bounds.max[axis].max(point[axis]);
-            }
-        }
-        Some(bounds)
+        let first = *points.first()?;
+        let (min, max) = points.iter().fold((first, first), |(min, max), point| {
+            let axes = [0, 1, 2];
+            (axes.map(|i| point[i].min(min[i])), axes.map(|i| point[i].max(max[i])))
+        });
+        let homogeneous = |[x, y, z]: [f32; 3]| [x, y, z, 1.0];
+        Some(Self { min: homogeneous(min), max: homogeneous(max) })
     }
 
     /// Bounds of [`apply`](crate::transform::apply) for any point within: with the same operations in
@@ -93,9 +91,8 @@ mod tests {
         let image = bounds.through(&matrix);
         for [x, y, z] in points {
             let point = apply(&matrix, [x, y, z, 1.0]);
-            for axis in 0..4 {
-                assert!((image.min[axis]..=image.max[axis]).contains(&point[axis]));
-            }
+            let ends = image.min.into_iter().zip(image.max);
+            assert!(point.iter().zip(ends).all(|(value, (min, max))| (min..=max).contains(value)));
         }
     }
 }

@@ -31,6 +31,11 @@ impl DepthBuffer {
         &self.codes
     }
 
+    /// Puts one code into a range of [`codes`](Self::codes).
+    pub fn fill(&mut self, range: std::ops::Range<usize>, code: u32) {
+        self.codes[range].fill(code);
+    }
+
     /// The stored code of a pixel of the buffer.
     #[inline]
     pub fn code(&self, [x, y]: [u32; 2]) -> u32 {

@@ -92,7 +92,7 @@ impl Dyadic {
     ///
     /// `den` is not zero (the result would be 0).
     ///
-    /// *Source:* Direct3D 11.3 functional specification, section 3.2.3.6 (float to UNORM).
+    /// *Source:* Direct3D 11.3 functional specification, section 3.2.3 (FLOAT to UNORM).
     #[must_use]
     pub fn ratio_to_code(num: &Self, den: &Self, max: u32) -> u32 {
         if !(num.sign() * den.sign()).is_positive() {

@@ -10,7 +10,7 @@
 //! 2^27 + 1 in between and changes nothing of that.
 //!
 //! *Source:* Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates,
-//! 1997, sections 2.2-2.4; Knuth, The Art of Computer Programming 2, section 4.2.2; Dekker, A
+//! 1997, sections 2.2 to 2.5; Knuth, The Art of Computer Programming 2, section 4.2.2; Dekker, A
 //! Floating-Point Technique for Extending the Available Precision, 1971.
 
 use super::approx::Approx;
@@ -32,7 +32,7 @@ pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
 
 /// Subtracts exactly: `a - b = difference + tail`, where `difference` is the rounded difference.
 ///
-/// Valid unless `a - b` overflows. *Source:* Shewchuk 1997, section 2.2 (TWO-DIFF).
+/// Valid unless `a - b` overflows. *Source:* Shewchuk 1997, section 2.3 (TWO-DIFF).
 #[inline]
 #[must_use]
 pub fn two_diff(a: f64, b: f64) -> (f64, f64) {
@@ -140,7 +140,7 @@ impl<const N: usize> Expansion<N> {
     ///
     /// Components hardly cancel, so that the bound is a few units in the last place.
     ///
-    /// *Source:* Shewchuk 1997, section 2.8 (APPROXIMATE).
+    /// *Source:* Shewchuk 1997, section 2.7 (APPROXIMATE).
     #[inline]
     #[must_use]
     pub fn approx(&self) -> Approx {

@@ -1,5 +1,9 @@
 //! The stencil test: a small integer for each pixel that draws compare and change.
 
+mod operations;
+
+pub use operations::StencilOutcome;
+
 use crate::depth::CompareFunction;
 use serde::{Deserialize, Serialize};
 

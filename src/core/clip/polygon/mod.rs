@@ -32,12 +32,12 @@ impl Plane {
     /// The id of the word for it.
     pub fn word(self) -> &'static str {
         match self {
-            Self::Left => "word-plane-left",
-            Self::Right => "word-plane-right",
-            Self::Bottom => "word-plane-bottom",
-            Self::Top => "word-plane-top",
-            Self::Near => "word-plane-near",
-            Self::Far => "word-plane-far",
+            Self::Left => "word-left",
+            Self::Right => "word-right",
+            Self::Bottom => "word-bottom",
+            Self::Top => "word-top",
+            Self::Near => "word-near",
+            Self::Far => "word-far",
         }
     }
 }

@@ -313,6 +313,7 @@ impl Explain for Snapshot {
         let before = self.at(Space::ALL[(to as usize).saturating_sub(1)]).map(Value::from);
         let (general, mut numbers) = match self.chain.matrix(to) {
             Some(matrix) => product_formula(row(matrix, i), before, i),
+            None if self.at(Space::Clip)[3] == Some(0.0) => return, // nothing is divided by zero
             None if to == Space::Ndc => divide_formula(before, i),
             None => self.viewport_formula(before, i),
         };

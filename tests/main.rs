@@ -10,5 +10,6 @@ mod coverage;
 mod house;
 mod pipeline;
 mod replay;
+mod scanline;
 mod support;
 mod transform;

@@ -7,6 +7,8 @@ mod compute;
 mod coverage;
 mod house;
 mod interpolate;
+mod coverage;
+mod house;
 mod pipeline;
 mod replay;
 mod scanline;

@@ -6,12 +6,26 @@
 //! no clock, no thread and no window toolkit.
 #![forbid(unsafe_code)]
 
-pub mod figure;
-pub mod theme;
-mod tokens;
-
 pub mod numbers;
 pub mod words;
 
 pub mod tables;
+
+pub mod theme;
+mod tokens;
+
+pub mod figure;
+pub mod geometry;
+pub mod markers;
+pub mod placement;
 pub mod text;
+
+mod canvas;
+mod cells;
+mod grid;
+mod labels;
+pub mod layout;
+pub mod orbit;
+
+pub mod png;
+pub mod svg;

@@ -75,6 +75,15 @@ impl ThemeName {
         Self::ALL.into_iter().find(|theme| theme.name() == name)
     }
 
+    /// Message id of its name for people.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Dark => "figure-dark",
+            Self::Light => "figure-light",
+            Self::Projector => "figure-projector",
+        }
+    }
+
     /// Its colours and sizes.
     pub fn theme(self) -> &'static Theme {
         match self {

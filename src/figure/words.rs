@@ -38,9 +38,12 @@ macro_rules! language {
 pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
     "labs"
+    "scene"
+    "ui"
+    "transform"
     "cohen-sutherland"
     "scanline"
-    "transform"
+    "z-buffer"
     "figure"
     "cli"
 )];
@@ -162,7 +165,8 @@ mod tests {
     #[test]
     fn values_are_put_in_and_written_as_numbers() {
         let words = Words::default();
-        let message = Message::new("figure-hidden-values").with("cells", 1204).with("size", 18_i32);
+        let message =
+            Message::new("figure-values-hidden").with("cells", 1204).with("size", 18_i32).with("zoom", 3.0);
         let text = words.message(&message);
         assert!(text.contains("1\u{2009}204"), "{text}");
         assert!(!text.contains('\u{2068}'), "isolation marks: {text}");
@@ -181,6 +185,6 @@ mod tests {
         assert_eq!(words.language(), "en");
         assert_eq!(words.word("no-such-message"), "⟨no-such-message⟩");
         assert!(words.try_message(&Message::new("no-such-message")).is_err());
-        assert!(words.try_message(&Message::new("figure-hidden-values")).is_err());
+        assert!(words.try_message(&Message::new("figure-values-hidden")).is_err());
     }
 }

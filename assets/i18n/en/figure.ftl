@@ -3,10 +3,10 @@
 figure-undefined = not defined yet
 figure-nan = an operation without a defined result
 figure-infinity = beyond the largest finite number
-figure-hidden-values = Too small for { $cells } { $cells ->
-    [one] value
-   *[other] values
-}: shown from { $size } px cells on; zoom in.
+figure-values-hidden = { $cells ->
+    [one] One value is hidden
+   *[other] { $cells } values are hidden
+}: they show from { $size } px cells on. Zoom { $zoom }× more.
 
 figure-dark = Dark
 figure-light = Light

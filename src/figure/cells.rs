@@ -1,0 +1,312 @@
+//! Pixels and spans: fills, values, marks in cells.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use rasterscope_core::{
+    explain::{Mark, Role},
+    message::{Message, Value},
+};
+
+use crate::{
+    canvas::{Canvas, Layer, TextStyle, narrow},
+    figure::{Font, Shape, Stroke},
+    geometry::Rect,
+    markers::{disc, marker, ring},
+    numbers::{CELL_DECIMALS, ColumnFormat},
+    theme::{Color, Marker, ThemeName},
+};
+
+/// From this size of a cell on, values are shown.
+pub(crate) const VALUES: f64 = 18.0;
+/// From this size of a cell on, a value may have two lines.
+const TWO_LINES: f64 = 56.0;
+/// From this size of a cell on, verdicts stand in its corner.
+const CORNER: f64 = 40.0;
+
+/// What is known of all pixels before the first is drawn.
+pub(crate) struct Cells {
+    format: ColumnFormat,
+    /// Rows of the current step: first pixel and end.
+    spans: BTreeMap<i32, [i32; 2]>,
+    /// Pixels that have a mark.
+    pub(crate) taken: BTreeSet<[i32; 2]>,
+    /// Rows and columns of the current step.
+    pub(crate) lit: crate::grid::Lit,
+}
+
+impl Cells {
+    pub(crate) fn of(marks: &[Mark]) -> Self {
+        let values = marks.iter().filter_map(|mark| match mark {
+            Mark::Pixel { value, .. } => Some(value),
+            _ => None,
+        });
+        let mut cells = Self {
+            format: ColumnFormat::of(values, CELL_DECIMALS),
+            spans: BTreeMap::new(),
+            taken: BTreeSet::new(),
+            lit: crate::grid::Lit::default(),
+        };
+        for mark in marks {
+            match mark {
+                Mark::Pixel { at, role, .. } => {
+                    cells.taken.insert(*at);
+                    if *role == Role::Active {
+                        cells.lit.columns.insert(at[0].into());
+                        cells.lit.rows.insert(at[1].into());
+                    }
+                }
+                Mark::Span { y, ends, role: Role::Active } => {
+                    cells.spans.insert(*y, covered(*ends));
+                    cells.lit.rows.insert((*y).into());
+                }
+                _ => {}
+            }
+        }
+        cells
+    }
+
+    pub(crate) fn pixel(&self, canvas: &mut Canvas<'_>, mark: &Mark) {
+        let Mark::Pixel { at, role, object, value } = mark else { return };
+        let Some(rect) = cell_rect(canvas, *at, [1, 1]) else { return };
+        let ground = fill(canvas, rect, *role, *object);
+        let shown = *value != Value::None && self.value(canvas, rect, *role, *object, value, ground);
+        self.marks(canvas, rect, *at, *role, shown);
+    }
+
+    /// Outline and marker of a pixel's role.
+    fn marks(&self, canvas: &mut Canvas<'_>, rect: Rect, at: [i32; 2], role: Role, shown: bool) {
+        let theme = canvas.theme;
+        let style = theme.style(role);
+        let cell = canvas.placement.scale;
+        let center = narrow(rect.center());
+        let scale = (cell as f32 / 40.0).min(1.0);
+        let grown = theme.extra_stroke;
+        match role {
+            Role::Active => selection(canvas, rect),
+            Role::Tie | Role::Changed => {
+                let inside = rect.grown(-1.25);
+                let stroke = Stroke::solid(style.color, 2.5 + grown);
+                canvas.push(Layer::Active, Canvas::rect_shape(inside, 0.0, None, Some(stroke)));
+            }
+            _ => {}
+        }
+        if cell < 10.0 {
+            return;
+        }
+        let in_active_span =
+            self.spans.get(&at[1]).is_some_and(|[first, end]| (*first..*end).contains(&at[0]));
+        match role {
+            Role::Active | Role::Neutral | Role::Changed => {}
+            Role::Accepted | Role::Rejected if shown => {
+                if cell >= CORNER {
+                    let radius = 6.5 + grown;
+                    let inset = f64::from(radius) + 3.0 + f64::from(grown);
+                    let corner = narrow([rect.max[0] - inset, rect.min[1] + inset]);
+                    let shapes = marker(style.marker, corner, radius, style.color, theme.canvas);
+                    canvas.extend(Layer::Handle, shapes);
+                }
+            }
+            Role::Accepted => {
+                let color = if in_active_span { style.color } else { theme.text };
+                canvas.push(Layer::Grid, disc(center, (3.2 + 0.5 * grown) * scale, color));
+            }
+            Role::Candidate if !shown => {
+                let color = if in_active_span { theme.style(Role::Active).color } else { style.color };
+                let radius = (3.6 + 0.5 * grown) * scale;
+                canvas.push(Layer::Handle, disc(center, radius, theme.canvas));
+                canvas.push(Layer::Handle, ring(center, radius, color, 1.6 + 0.6 * grown));
+            }
+            Role::Tie if !shown => {
+                let shapes = marker(Marker::Diamond, center, 9.0 * scale, style.color, theme.canvas);
+                canvas.extend(Layer::ActiveHandle, shapes);
+            }
+            _ if !shown => {
+                let shapes = marker(style.marker, center, 6.0 * scale, style.color, theme.canvas);
+                canvas.extend(Layer::Handle, shapes);
+            }
+            _ => {}
+        }
+    }
+
+    /// Writes the value if there is room for it, and says whether there was.
+    fn value(
+        &self,
+        canvas: &mut Canvas<'_>,
+        rect: Rect,
+        role: Role,
+        object: Option<usize>,
+        value: &Value,
+        ground: Color,
+    ) -> bool {
+        let theme = canvas.theme;
+        let cell = canvas.placement.scale;
+        if cell < VALUES {
+            return false;
+        }
+        let lines = self.lines(canvas, value, cell);
+        let font = if role == Role::Active { Font::MonoBold } else { Font::Mono };
+        let widest = lines.iter().map(|line| line.chars().count()).max().unwrap_or(0).max(1);
+        let em = crate::text::measure(font, 1.0, "0")[0];
+        let fitting = (cell as f32 - 4.0) / (widest as f32 * em);
+        let size = fitting.min(theme.sizes.canvas);
+        if size < theme.sizes.smallest {
+            return false;
+        }
+        let faint = object.is_none() && matches!(role, Role::Neutral | Role::Candidate | Role::Skipped);
+        let color = match role {
+            Role::Changed => theme.style(role).color,
+            _ if faint => theme.faint,
+            _ => theme.text,
+        };
+        let plate = if theme.name == ThemeName::Dark { theme.canvas } else { ground };
+        let line_height = f64::from(size) * 1.25;
+        let center = rect.center();
+        for (i, line) in lines.iter().enumerate() {
+            let style = TextStyle { text: line, font, size, color };
+            let down = (i as f64 - (lines.len() as f64 - 1.0) / 2.0) * line_height;
+            let center = [center[0], center[1] + down];
+            if !faint && cell >= 28.0 {
+                let height = if lines.len() > 1 { line_height } else { f64::from(size) * 1.4 };
+                let plate_rect = Rect::around(center, [(style.measure()[0] + 6.0).min(cell - 2.0), height]);
+                let shape = Canvas::rect_shape(plate_rect, 3.0, Some(plate.alpha(0.9)), None);
+                canvas.push(Layer::Plate, shape);
+            }
+            canvas.text(Layer::Text, center, style);
+        }
+        true
+    }
+
+    fn lines(&self, canvas: &Canvas<'_>, value: &Value, cell: f64) -> Vec<String> {
+        let number = |x: f32| {
+            let whole = x == x.trunc() && x.abs() < 1e6;
+            let value = Value::F32(x);
+            if whole { crate::numbers::short(&value) } else { self.format.format(&value) }
+        };
+        let mut lines = match value {
+            Value::F32(x) => vec![number(*x)],
+            Value::Vector(components) => components.iter().map(|&x| number(x)).collect(),
+            Value::Word(id) => vec![canvas.words.word(id)],
+            Value::Text(text) => text.lines().map(str::to_owned).collect(),
+            other => vec![self.format.format(other)],
+        };
+        lines.truncate(if cell >= TWO_LINES { 2 } else { 1 });
+        lines
+    }
+}
+
+/// The fill of a pixel; answers what its value stands on.
+fn fill(canvas: &mut Canvas<'_>, rect: Rect, role: Role, object: Option<usize>) -> Color {
+    let theme = canvas.theme;
+    let mut ground = theme.canvas;
+    let mut paint = |canvas: &mut Canvas<'_>, color: Color| {
+        ground = color.over(ground);
+        run(canvas, rect, color);
+    };
+    if let Some(index) = object {
+        let (color, repeated) = theme.object(index);
+        paint(canvas, color.alpha(theme.object_alpha));
+        if repeated {
+            let [min, max] = [rect.min, rect.max];
+            canvas.hatch(&[min, [max[0], min[1]], max, [min[0], max[1]]], theme.canvas.alpha(0.7));
+        }
+    }
+    let style = theme.style(role);
+    match role {
+        Role::Active if theme.name == ThemeName::Dark => paint(canvas, style.color.alpha(style.fill_alpha)),
+        Role::Active => paint(canvas, theme.lit),
+        Role::Accepted if object.is_none() => paint(canvas, style.color.alpha(style.fill_alpha)),
+        Role::Changed if object.is_none() => paint(canvas, theme.changed_bg),
+        _ => {}
+    }
+    ground
+}
+
+/// Fills a cell; equal neighbours in a row become one rectangle.
+fn run(canvas: &mut Canvas<'_>, rect: Rect, color: Color) {
+    let next = Canvas::rect_shape(rect, 0.0, Some(color), None);
+    let Shape::Rect { min: next_min, max: next_max, .. } = next else { return };
+    if let Some(Shape::Rect { min, max, fill: Some(fill), .. }) = canvas.last_mut(Layer::Fill)
+        && *fill == color
+        && min[1] == next_min[1]
+        && max[1] == next_max[1]
+        && max[0] == next_min[0]
+    {
+        max[0] = next_max[0];
+        return;
+    }
+    canvas.push(Layer::Fill, next);
+}
+
+/// Outline of the pixel in hand: 3 points outside the cell, with a gap around it.
+fn selection(canvas: &mut Canvas<'_>, rect: Rect) {
+    let width = 3.0 + canvas.theme.extra_stroke;
+    let wide = f64::from(width);
+    let gap = Stroke::solid(canvas.theme.canvas, width);
+    let line = Stroke::solid(canvas.theme.style(Role::Active).color, width);
+    for (out, stroke) in [(1.5 * wide, gap), (-0.5 * wide, gap), (0.5 * wide, line)] {
+        canvas.push(Layer::Selection, Canvas::rect_shape(rect.grown(out), 0.0, None, Some(stroke)));
+    }
+    canvas.kept_clear.push(rect.grown(2.0 * wide));
+}
+
+/// A half-open span on the centre line of its row.
+pub(crate) fn span(canvas: &mut Canvas<'_>, y: i32, ends: [f32; 2], role: Role) {
+    let style = canvas.theme.style(role);
+    let middle = f64::from(y) + 0.5;
+    let [left, right] = ends.map(|x| canvas.placement.wide([f64::from(x), middle]));
+    if !left.iter().chain(&right).all(|c| c.is_finite()) {
+        return;
+    }
+    if role == Role::Active {
+        let [first, end] = covered(ends);
+        if first < end
+            && let Some(rect) = cell_rect(canvas, [first, y], [end - first, 1])
+        {
+            let color = canvas.active_fill();
+            canvas.push(Layer::Fill, Canvas::rect_shape(rect, 0.0, Some(color), None));
+        }
+        let across = [[canvas.rect.min[0], left[1]], [canvas.rect.max[0], left[1]]];
+        let stroke = Stroke { color: style.color, width: 1.0, dash: &[3.0, 3.0], phase: 0.0 };
+        canvas.line(Layer::Outline, &across, false, stroke);
+    }
+    canvas.role_line(&[left, right], false, role);
+    let layer = if role == Role::Active { Layer::ActiveHandle } else { Layer::Handle };
+    let grown = canvas.theme.extra_stroke;
+    if canvas.sees(left) {
+        canvas.push(layer, disc(narrow(left), 5.0 + grown, style.color));
+        canvas.kept_clear.push(Rect::around(left, [12.0; 2]));
+    }
+    if canvas.sees(right) {
+        canvas.push(layer, disc(narrow(right), 6.0 + grown, canvas.theme.canvas));
+        canvas.push(layer, ring(narrow(right), 6.0 + grown, style.color, 2.5 + grown));
+        canvas.kept_clear.push(Rect::around(right, [16.0; 2]));
+    }
+}
+
+/// First pixel and end of a span, closed on the left: centres with `ends[0] <= x < ends[1]`.
+fn covered(ends: [f32; 2]) -> [i32; 2] {
+    ends.map(|x| (f64::from(x) - 0.5).ceil() as i32)
+}
+
+/// The cells from `at` on, `size` of them across and down, on whole points; `None` if off the canvas.
+fn cell_rect(canvas: &Canvas<'_>, at: [i32; 2], size: [i32; 2]) -> Option<Rect> {
+    let far = [0, 1].map(|axis| f64::from(at[axis]) + f64::from(size[axis]));
+    let [a, b] = [at.map(f64::from), far].map(|p| canvas.placement.wide(p).map(f64::round));
+    let rect =
+        Rect { min: [0, 1].map(|axis| a[axis].min(b[axis])), max: [0, 1].map(|axis| a[axis].max(b[axis])) };
+    rect.overlaps(canvas.rect).then_some(rect)
+}
+
+/// Says that cells are too small for their values, and how much to zoom in; `None` if they are not.
+pub(crate) fn too_small(marks: &[Mark], scale: f64) -> Option<Message> {
+    let values = marks
+        .iter()
+        .filter(|mark| matches!(mark, Mark::Pixel { value, .. } if *value != Value::None))
+        .count();
+    (values > 0 && scale < VALUES).then(|| {
+        Message::new("figure-values-hidden")
+            .with("cells", values)
+            .with("size", VALUES as i64)
+            .with("zoom", (VALUES / scale).ceil())
+    })
+}

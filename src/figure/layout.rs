@@ -1,0 +1,227 @@
+//! From the marks of a lab to a figure: the one painter of all drawings.
+//!
+//! Painting order: fills, grid, outlines, what was removed, what was kept, the current step,
+//! handles, plates, text, selection. Everything is clipped to the canvas; marks that are not finite
+//! are left out.
+
+use rasterscope_core::{
+    explain::{Grid, Label, Mark, Role, View},
+    message::Message,
+};
+
+use crate::{
+    canvas::{Canvas, Layer, TextStyle, narrow},
+    cells::{self, Cells},
+    figure::{Figure, Font, Shape, Stroke},
+    geometry::{Rect, centroid, distance, mix},
+    grid,
+    labels::{self, Anchor, Wish},
+    markers,
+    theme::Theme,
+    words::Words,
+};
+pub use crate::{labels::Places, placement::Placement};
+
+/// Draws `marks` of a plane that `view` describes, as `placement` lays it on a canvas of `size`.
+pub fn draw(
+    marks: &[Mark],
+    view: &View,
+    placement: &Placement,
+    size: [f32; 2],
+    theme: &Theme,
+    words: &Words,
+) -> Figure {
+    draw_held(marks, view, placement, size, (theme, words), None).0
+}
+
+/// [`draw`], with the labels where they stood in an earlier drawing of as many labels.
+///
+/// While a point is dragged its label must not jump: pass the places of the drawing at which the
+/// drag began.
+pub fn draw_held(
+    marks: &[Mark],
+    view: &View,
+    placement: &Placement,
+    size: [f32; 2],
+    (theme, words): (&Theme, &Words),
+    held: Option<&Places>,
+) -> (Figure, Places) {
+    let mut canvas = Canvas::new(placement, size, theme, words);
+    let cells = Cells::of(marks);
+    grid::draw(&mut canvas, view, &cells.taken, &cells.lit);
+    let mut wishes = Vec::new();
+    let mut wish = |anchor: Option<Anchor>, label: &Option<Label>, role: Role| {
+        if let (Some(anchor), Some(label)) = (anchor, label) {
+            wishes.push(Wish { anchor, label: label.clone(), role });
+        }
+    };
+    for mark in marks {
+        match mark {
+            Mark::Point { at, role, label } => {
+                wish(point(&mut canvas, *at, *role), label, *role);
+            }
+            Mark::Segment { ends, role, label } => {
+                wish(segment(&mut canvas, *ends, *role), label, *role);
+            }
+            Mark::Guide { axis, at, role, label } => {
+                guide(&mut canvas, usize::from(*axis != 0), *at, *role, label)
+            }
+            Mark::Polygon { points, role, object, label } => {
+                wish(polygon(&mut canvas, view, points, *role, *object), label, *role);
+            }
+            Mark::Pixel { .. } => cells.pixel(&mut canvas, mark),
+            Mark::Span { y, ends, role } => cells::span(&mut canvas, *y, *ends, *role),
+            Mark::Text { at, label, role, big } => text(&mut canvas, *at, label, *role, *big),
+            Mark::Image { size, rgba } => image(&mut canvas, *size, rgba),
+        }
+    }
+    let places = labels::draw(&mut canvas, &wishes, held);
+    (canvas.finish(), places)
+}
+
+/// Says that cells are too small for their values, and how far to zoom in; `None` if they are not.
+pub fn hidden_values(marks: &[Mark], placement: &Placement) -> Option<Message> {
+    cells::too_small(marks, placement.scale)
+}
+
+fn point(canvas: &mut Canvas<'_>, at: [f32; 2], role: Role) -> Option<Anchor> {
+    let at = canvas.points(at)?;
+    if canvas.sees(at) {
+        let style = canvas.theme.style(role);
+        let layer = if role == Role::Active { Layer::ActiveHandle } else { Layer::Handle };
+        canvas.extend(layer, markers::point(style.marker, narrow(at), style.color, canvas.theme));
+        let reach = if role == Role::Active { 24.0 } else { 18.0 };
+        canvas.kept_clear.push(Rect::around(at, [reach; 2]));
+    }
+    Some(Anchor::Point(at))
+}
+
+fn segment(canvas: &mut Canvas<'_>, ends: [[f32; 2]; 2], role: Role) -> Option<Anchor> {
+    let ends = [canvas.points(ends[0])?, canvas.points(ends[1])?];
+    canvas.role_line(&ends, false, role);
+    let visible = canvas.rect.clip(ends)?;
+    if role == Role::Rejected && distance(visible[0], visible[1]) > 48.0 {
+        let middle = mix(visible[0], visible[1], 0.5);
+        let style = canvas.theme.style(role);
+        let radius = 7.0 + canvas.theme.extra_stroke;
+        let cross = markers::marker(style.marker, narrow(middle), radius, style.color, canvas.theme.canvas);
+        canvas.extend(Layer::Handle, cross);
+        canvas.kept_clear.push(Rect::around(middle, [14.0; 2]));
+    }
+    Some(Anchor::Segment(visible))
+}
+
+fn guide(canvas: &mut Canvas<'_>, axis: usize, at: f32, role: Role, label: &Option<Label>) {
+    let Some(at) = canvas.points([at; 2]).map(|p| p[axis]) else { return };
+    if !(0.0..=canvas.rect.max[axis]).contains(&at) {
+        return;
+    }
+    let far = canvas.rect.max[1 - axis];
+    let line = [0.0, far].map(|along| if axis == 0 { [at, along] } else { [along, at] });
+    if matches!(role, Role::Neutral | Role::Candidate) {
+        let width = 1.5 + canvas.theme.extra_stroke;
+        let stroke = Stroke { color: canvas.theme.edge, width, dash: &[6.0, 4.0], phase: 0.0 };
+        canvas.line(Layer::Outline, &line, false, stroke);
+    } else {
+        canvas.role_line(&line, false, role);
+    }
+    if let Some(label) = label {
+        labels::guide(canvas, axis, at, label, role);
+    }
+}
+
+fn polygon(
+    canvas: &mut Canvas<'_>,
+    view: &View,
+    points: &[[f32; 2]],
+    role: Role,
+    object: Option<usize>,
+) -> Option<Anchor> {
+    let points: Vec<_> = points.iter().map(|&p| canvas.points(p)).collect::<Option<_>>()?;
+    let theme = canvas.theme;
+    let style = theme.style(role);
+    if let Some(index) = object {
+        let (color, repeated) = theme.object(index);
+        canvas.fill(&points, color.alpha(theme.object_alpha));
+        if repeated {
+            canvas.hatch(&points, theme.canvas.alpha(0.7));
+        }
+    }
+    match role {
+        Role::Active => {
+            let color = canvas.active_fill();
+            canvas.fill(&points, color);
+        }
+        Role::Accepted if object.is_none() => canvas.fill(&points, style.color.alpha(style.fill_alpha)),
+        // A window of a lab in the plane: what lies inside is what is kept.
+        Role::Neutral if object.is_none() && view.grid == Grid::Units => {
+            let color = theme.style(Role::Accepted).color.alpha(0.05);
+            canvas.fill(&points, color);
+        }
+        _ => {}
+    }
+    if style.hatch {
+        canvas.hatch(&points, style.color.alpha(0.55));
+    }
+    canvas.role_line(&points, true, role);
+    let visible = canvas.rect.clip_polygon(&points);
+    (!visible.is_empty()).then(|| Anchor::Area(centroid(&visible)))
+}
+
+/// Free text; the codes of regions stand a little inside the corner at which they are put.
+fn text(canvas: &mut Canvas<'_>, at: [f32; 2], label: &Label, role: Role, big: bool) {
+    let Some(at) = canvas.points(at) else { return };
+    let theme = canvas.theme;
+    let (text, phrase) = labels::written(canvas, label, true);
+    let quiet = matches!(role, Role::Candidate | Role::Skipped);
+    let font = match (phrase, quiet) {
+        (true, true) => Font::Sans,
+        (true, false) => Font::SansBold,
+        (false, true) => Font::Mono,
+        (false, false) => Font::MonoBold,
+    };
+    let size = if big { theme.sizes.region } else { theme.sizes.canvas };
+    let color = if quiet { theme.dim } else { labels::color(canvas, role) };
+    let style = TextStyle { text: &text, font, size, color };
+    let extent = style.measure();
+    let min = if big { [at[0] + 12.0, at[1] + 9.0] } else { [at[0] + 6.0, at[1] + 3.0] };
+    let rect = Rect { min, max: [min[0] + extent[0], min[1] + extent[1]] };
+    let hidden = |other: &Rect| other.overlaps(rect);
+    if text.is_empty() || !rect.inside(canvas.rect) || canvas.kept_clear.iter().any(hidden) {
+        return;
+    }
+    if big {
+        canvas.text(Layer::Text, rect.center(), style);
+        if !quiet {
+            let foot = rect.max[1] + 1.0;
+            let stroke = Stroke::solid(color, 2.0 + theme.extra_stroke);
+            canvas.line(Layer::Text, &[[rect.min[0], foot], [rect.max[0], foot]], false, stroke);
+        }
+    } else {
+        let plate = rect.grown(3.0);
+        canvas.plate(plate, theme.canvas.alpha(0.9), None, style);
+    }
+    canvas.kept_clear.push(rect.grown(3.0));
+}
+
+fn image(canvas: &mut Canvas<'_>, size: [usize; 2], rgba: &std::sync::Arc<Vec<u8>>) {
+    let [columns, rows] = size;
+    if columns == 0 || rows == 0 || rgba.len() != 4 * columns * rows {
+        return;
+    }
+    let corners =
+        [[0.0, 0.0], [columns as f64, rows as f64]].map(|p| canvas.placement.wide(p).map(f64::round));
+    let flipped = canvas.placement.y_up;
+    let rgba = if flipped {
+        std::sync::Arc::new(rgba.chunks_exact(4 * columns).rev().flatten().copied().collect())
+    } else {
+        rgba.clone()
+    };
+    let [a, b] = corners;
+    let min = [a[0], a[1].min(b[1])];
+    let max = [b[0], a[1].max(b[1])];
+    canvas.push(Layer::Fill, Shape::Image { min: narrow(min), max: narrow(max), size, rgba });
+}
+
+#[cfg(test)]
+mod tests;

@@ -36,6 +36,11 @@ impl DepthBuffer {
         self.codes[range].fill(code);
     }
 
+    /// A range of [`codes`](Self::codes), to be tested against and written.
+    pub fn codes_mut(&mut self, range: std::ops::Range<usize>) -> &mut [u32] {
+        &mut self.codes[range]
+    }
+
     /// The stored code of a pixel of the buffer.
     #[inline]
     pub fn code(&self, [x, y]: [u32; 2]) -> u32 {
@@ -46,19 +51,8 @@ impl DepthBuffer {
     /// replaces if the state writes. A state without a test lets all pass and writes nothing.
     #[inline]
     pub fn test(&mut self, state: DepthState, pixel: [u32; 2], code: u32) -> bool {
-        if !state.test {
-            return true;
-        }
         let index = self.index(pixel);
-        let stored = self.codes[index];
-        let passes = match self.format {
-            DepthFormat::F32 => state.compare.passes(f32::from_bits(code), f32::from_bits(stored)),
-            _ => state.compare.passes(code, stored),
-        };
-        if passes && state.write {
-            self.codes[index] = code;
-        }
-        passes
+        self.format.test(state, code, &mut self.codes[index])
     }
 
     /// Stores a code, whatever is there.
@@ -71,5 +65,23 @@ impl DepthBuffer {
     #[inline]
     pub(super) fn index(&self, [x, y]: [u32; 2]) -> usize {
         y as usize * self.size[0] as usize + x as usize
+    }
+}
+
+impl DepthFormat {
+    /// The test of [`DepthBuffer::test`] against one stored code.
+    #[inline]
+    pub fn test(self, state: DepthState, code: u32, stored: &mut u32) -> bool {
+        if !state.test {
+            return true;
+        }
+        let passes = match self {
+            Self::F32 => state.compare.passes(f32::from_bits(code), f32::from_bits(*stored)),
+            _ => state.compare.passes(code, *stored),
+        };
+        if passes && state.write {
+            *stored = code;
+        }
+        passes
     }
 }

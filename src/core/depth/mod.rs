@@ -5,10 +5,12 @@
 
 mod buffer;
 mod plane;
+mod row;
 pub mod z_buffer;
 
 pub use buffer::DepthBuffer;
 pub use plane::DepthPlane;
+pub use row::{DepthRow, DepthRows};
 
 use crate::interpolate::unorm;
 use serde::{Deserialize, Serialize};

@@ -10,10 +10,10 @@ use super::{
 };
 use crate::{
     blend::BlendState,
-    depth::{DepthBuffer, DepthFormat, DepthPlane, DepthState},
+    depth::{DepthBuffer, DepthFormat, DepthRow, DepthRows, DepthState},
     interpolate::unorm,
     labs::Stage,
-    math::{Arithmetic, Tally},
+    math::Tally,
     raster::{Algorithm, FillRule, Settings, Span, YAxis, cover},
     scene::{Clear, Draw, Scene, Texture},
     stencil::{StencilOutcome, StencilState},
@@ -112,9 +112,9 @@ struct Counts {
     spans: u64,
     fragments: u64,
     carried: u64,
+    /// Either test.
+    failed: u64,
     stencil_failed: u64,
-    depth_failed: u64,
-    written: u64,
     redrawn: u64,
     never_colored: u64,
     row_skipped: u64,
@@ -204,9 +204,9 @@ impl Target {
         let vertices = corners.map(|[x, y, ..]| [x, y]);
         let settings = self.state.settings();
         let mut tally = Tally::default();
-        let plane = DepthPlane::new(corners.map(|[x, y, z, _]| [x, y, z]), Arithmetic::Exact, &mut tally);
+        let depths = DepthRows::new(corners.map(|[x, y, z, _]| [x, y, z]), self.state.format, &mut tally);
         let counts = cover(self.state.algorithm, vertices, &settings, &mut tally, &mut |span| {
-            self.span(span, &plane, shader, state, frame);
+            self.span(span, &depths.row(span.y), shader, state, frame);
         });
         self.counts.row_skipped += counts.skipped;
         self.counts.tally += tally;
@@ -215,7 +215,7 @@ impl Target {
     fn span(
         &mut self,
         span: Span,
-        plane: &DepthPlane,
+        depths: &DepthRow<'_>,
         shader: &Shader,
         state: &FragmentState,
         frame: &mut Frame,
@@ -228,50 +228,29 @@ impl Target {
         } else {
             touched.start.min(span.begin)..touched.end.max(span.end)
         };
-        let early = self.state.skips.has(Skip::EarlyZ);
-        for x in span.begin..span.end {
+        let Self { state: image, depth, written, counts, .. } = self;
+        let range = frame.index([span.begin, span.y])..frame.index([span.end, span.y]);
+        let colors = frame.color[4 * range.start..4 * range.end].as_chunks_mut().0;
+        let stored = depth.codes_mut(range.clone()).iter_mut().zip(&mut frame.stencil[range.clone()]);
+        let pixels = colors.iter_mut().zip(stored).zip(&mut written[range]);
+        let early = image.skips.has(Skip::EarlyZ);
+        let Counts { stencil_failed, redrawn, tally, .. } = counts;
+        let mut failed = 0;
+        for (x, ((color, (depth, stencil)), written)) in (span.begin..).zip(pixels) {
             let pixel = [x, span.y];
-            let color =
-                if early { None } else { Some(Paint::new(shader, state, pixel, &mut self.counts.tally)) };
-            if !self.passes(pixel, plane, state, frame) {
-                self.counts.never_colored += u64::from(early);
+            let paint = if early { None } else { Some(Paint::new(shader, state, pixel, tally)) };
+            let tested = state.test(stencil, || image.format.test(state.depth, depths.code(x, tally), depth));
+            if tested != StencilOutcome::Pass {
+                failed += 1;
+                *stencil_failed += u64::from(tested == StencilOutcome::Fail);
                 continue;
             }
-            let color = color.unwrap_or_else(|| Paint::new(shader, state, pixel, &mut self.counts.tally));
-            self.write(pixel, &color, state, frame);
+            let paint = paint.unwrap_or_else(|| Paint::new(shader, state, pixel, tally));
+            *color = paint.over(*color, state, tally);
+            *redrawn += u64::from(std::mem::replace(written, true));
         }
-    }
-
-    /// The tests of one fragment, with what they store.
-    #[inline]
-    fn passes(
-        &mut self,
-        pixel: [u32; 2],
-        plane: &DepthPlane,
-        state: &FragmentState,
-        frame: &mut Frame,
-    ) -> bool {
-        let Self { state: image, depth, counts, .. } = self;
-        let index = frame.index(pixel);
-        let tested = state.test(&mut frame.stencil[index], || {
-            let code = plane.code(pixel, image.format, &mut counts.tally);
-            depth.test(state.depth, pixel, code)
-        });
-        match tested {
-            StencilOutcome::Fail => counts.stencil_failed += 1,
-            StencilOutcome::DepthFail => counts.depth_failed += 1,
-            StencilOutcome::Pass => return true,
-        }
-        false
-    }
-
-    #[inline]
-    fn write(&mut self, pixel: [u32; 2], color: &Paint<'_>, state: &FragmentState, frame: &mut Frame) {
-        let index = frame.index(pixel);
-        let new = color.over(frame.pixel(pixel), state, &mut self.counts.tally);
-        frame.color[4 * index..4 * index + 4].copy_from_slice(&new);
-        self.counts.written += 1;
-        self.counts.redrawn += u64::from(std::mem::replace(&mut self.written[index], true));
+        counts.failed += failed;
+        counts.never_colored += if early { failed } else { 0 };
     }
 
     /// Copies the depths to the frame and adds up what was counted.
@@ -281,17 +260,22 @@ impl Target {
         states: impl Iterator<Item = &'s FragmentState> + Clone,
     ) {
         let codes = self.depth.codes();
+        if self.state.format.max_code().is_some() {
+            let copy: &mut Vec<u32> = frame.depth_codes.get_or_insert_default();
+            copy.clear();
+            copy.extend_from_slice(codes); // into the same memory as last time
+        }
         for (y, columns) in (0..).zip(&self.touched) {
             let range = frame.index([columns.start, y])..frame.index([columns.end, y]);
             for (depth, code) in frame.depth[range.clone()].iter_mut().zip(&codes[range]) {
                 *depth = stored_depth(self.state.format, *code);
             }
         }
-        frame.depth_codes = self.state.format.max_code().map(|_| codes.to_vec());
         let (counts, stats) = (&self.counts, &mut self.stats);
         let any = |uses: fn(&FragmentState) -> bool| states.clone().any(uses);
         let drawn = counts.fragments - counts.carried;
         let after_stencil = drawn - counts.stencil_failed;
+        let written = drawn - counts.failed;
         let mut set = |stage: Stage, came: u64, went: u64, on: bool| {
             let count = stats.stage_mut(stage);
             (count.came, count.went, count.on) = (came, went, on);
@@ -299,12 +283,12 @@ impl Target {
         set(Stage::ScanConversion, counts.pieces, counts.spans, true);
         set(Stage::Fragments, counts.spans, drawn, true);
         set(Stage::Stencil, drawn, after_stencil, any(|state| state.stencil.is_some()));
-        set(Stage::Depth, after_stencil, counts.written, any(|state| state.depth.test));
-        set(Stage::Blend, counts.written, counts.written, any(|state| state.blend.is_some()));
-        set(Stage::Image, counts.written, counts.written - counts.redrawn, true);
+        set(Stage::Depth, after_stencil, written, any(|state| state.depth.test));
+        set(Stage::Blend, written, written, any(|state| state.blend.is_some()));
+        set(Stage::Image, written, written - counts.redrawn, true);
         stats.stage_mut(Stage::Fragments).drop(Reason::Carried, counts.carried);
         stats.stage_mut(Stage::Stencil).drop(Reason::Stencil, counts.stencil_failed);
-        stats.stage_mut(Stage::Depth).drop(Reason::Depth, counts.depth_failed);
+        stats.stage_mut(Stage::Depth).drop(Reason::Depth, counts.failed - counts.stencil_failed);
         stats.stage_mut(Stage::Image).drop(Reason::Redrawn, counts.redrawn);
         stats.skip(Skip::Row, counts.row_skipped);
         stats.skip(Skip::EarlyZ, counts.never_colored);

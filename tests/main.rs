@@ -7,16 +7,12 @@ mod compute;
 mod coverage;
 mod house;
 mod interpolate;
-mod coverage;
-mod house;
+mod obj;
 mod pipeline;
 mod replay;
 mod scanline;
-mod support;
-mod transform;
-//! Headless tests.
-
-mod obj;
 mod scene;
 mod scene_errors;
+mod support;
+mod transform;
 mod z_buffer;

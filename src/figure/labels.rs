@@ -144,7 +144,13 @@ pub(crate) fn draw(canvas: &mut Canvas<'_>, wishes: &[Wish], held: Option<&Place
 /// The first place that is free.
 fn place(canvas: &Canvas<'_>, anchor: Anchor, size: [f64; 2]) -> Place {
     let at = anchor.at();
-    let near = near(anchor, size);
+    let mut near = near(anchor, size);
+    for offset in near.iter_mut().filter(|offset| offset[1].abs() > GAP) {
+        // Above or below its point a plate may slide to stay on the canvas.
+        let bound = BORDER + size[0] / 2.0;
+        let far = (canvas.rect.max[0] - bound).max(bound);
+        offset[0] = (at[0] + offset[0]).clamp(bound, far) - at[0];
+    }
     let rect = |offset: [f64; 2]| Rect::around([at[0] + offset[0], at[1] + offset[1]], size);
     let free = near.iter().find(|&&offset| free(canvas, rect(offset), true));
     if let Some(&offset) =
@@ -212,6 +218,7 @@ fn free(canvas: &Canvas<'_>, rect: Rect, clear_of_lines: bool) -> bool {
         && !canvas.kept_clear.iter().any(|other| other.overlaps(rect))
         && !canvas.active_lines.iter().any(|&ends| rect.grown(3.0).clip(ends).is_some())
         && !(clear_of_lines && canvas.lines.iter().any(|&ends| rect.clip(ends).is_some()))
+        && !(clear_of_lines && canvas.small.iter().any(|other| other.overlaps(rect)))
 }
 
 /// From the anchor to the nearest point of the plate.

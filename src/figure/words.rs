@@ -38,9 +38,12 @@ macro_rules! language {
 pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
     "labs"
+    "scene"
+    "ui"
     "transform"
     "cohen-sutherland"
     "scanline"
+    "z-buffer"
     "figure"
     "cli"
 )];

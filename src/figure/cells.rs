@@ -107,7 +107,8 @@ impl Cells {
             let [first, end] = covered(ends);
             (first..end).contains(&at[0])
         });
-        canvas.small.push(Rect::around(rect.center(), [10.0; 2]));
+        let loud = matches!(role, Role::Tie | Role::Changed);
+        canvas.small.push(if loud { rect } else { Rect::around(rect.center(), [10.0; 2]) });
         match role {
             Role::Active | Role::Neutral | Role::Changed => {}
             Role::Accepted | Role::Rejected if shown => {

@@ -195,7 +195,9 @@ fn ruler_numbers(
         let font = if now { Font::MonoBold } else { Font::Mono };
         let text = numbers::integer(i);
         let style = TextStyle { text: &text, font, size, color };
-        if Rect::around(center, style.measure()).inside(canvas.rect) {
+        let rect = Rect::around(center, style.measure());
+        if rect.inside(canvas.rect) {
+            canvas.kept_clear.push(rect);
             canvas.text(Layer::Text, center, style);
         }
     }

@@ -191,7 +191,9 @@ fn text(canvas: &mut Canvas<'_>, at: [f32; 2], label: &Label, role: Role, big: b
     let color = if quiet { theme.dim } else { labels::color(canvas, role) };
     let style = TextStyle { text: &text, font, size, color };
     let extent = style.measure();
-    let min = if big { [at[0] + 12.0, at[1] + 12.0] } else { [at[0] + 6.0, at[1] + 3.0] };
+    // Clear of the plate of a guide through the corner.
+    let down = f64::from(theme.sizes.canvas) * labels::PLATE / 2.0 + 3.0;
+    let min = if big { [at[0] + 12.0, at[1] + down] } else { [at[0] + 6.0, at[1] + 3.0] };
     let rect = Rect { min, max: [min[0] + extent[0], min[1] + extent[1]] };
     let hidden = |other: &Rect| other.overlaps(rect);
     if text.is_empty() || !rect.inside(canvas.rect) || canvas.kept_clear.iter().any(hidden) {
@@ -208,7 +210,7 @@ fn text(canvas: &mut Canvas<'_>, at: [f32; 2], label: &Label, role: Role, big: b
         let plate = rect.grown(3.0);
         canvas.plate(plate, theme.canvas.alpha(0.9), None, style);
     }
-    canvas.kept_clear.push(rect.grown(3.0));
+    canvas.kept_clear.push(rect);
 }
 
 fn image(canvas: &mut Canvas<'_>, size: [usize; 2], rgba: &std::sync::Arc<Vec<u8>>) {

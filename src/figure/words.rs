@@ -38,6 +38,7 @@ macro_rules! language {
 pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
     "labs"
+    "scene"
     "transform"
     "cohen-sutherland"
     "scanline"

@@ -42,8 +42,10 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "transform"
     "cohen-sutherland"
     "scanline"
+    "z-buffer"
     "figure"
     "cli"
+    "ui"
 )];
 
 /// The words of one language.

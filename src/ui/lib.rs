@@ -1,1 +1,30 @@
-//! Under construction.
+//! The window's contents: shell and labs, in egui and nothing else of a window.
+//!
+//! [`App::ui`] is one frame, always in the same order: keys, run, panels, edits, commands. The
+//! shell owns cursor, transport, listing, inspector, canvas and keys; a lab says what can be dragged
+//! and chosen. The canvas paints the same [`Figure`](rasterscope_figure::figure::Figure) that is
+//! exported. There is no file here, no clock, no thread and no blocking call: [`Platform`] has the
+//! files, and time comes with egui's input.
+#![forbid(unsafe_code)]
+
+mod app;
+mod commands;
+mod document;
+mod face;
+mod files;
+mod labs;
+mod paint;
+mod panels;
+mod platform;
+mod presets;
+mod run;
+mod shell;
+mod stages;
+mod theme;
+mod widgets;
+
+pub use app::App;
+pub use platform::Platform;
+
+#[cfg(test)]
+mod tests;

@@ -36,7 +36,7 @@ pub(crate) fn triangle(random: &mut Random) -> Triangle {
         // A sliver: the third vertex on the line through the others, give or take an ULP.
         let [a, b, _] = vertices;
         let middle = [0, 1].map(|axis| a[axis] / 2.0 + b[axis] / 2.0);
-        vertices[2] = middle.map(|value| random.near(value));
+        vertices[2] = middle.map(|value| random.near(value).clamp(f32::MIN, f32::MAX));
     }
     vertices
 }
@@ -79,4 +79,21 @@ pub(crate) fn covered(vertices: Triangle, settings: &Settings) -> Vec<Span> {
         Some(Span { y, begin, end: last + 1 })
     });
     rows.collect()
+}
+
+/// The area opposite to each vertex at a point, without a rounding; negative on the wrong side.
+pub(crate) fn areas(triangle: Triangle, at: [f32; 2]) -> [Dyadic; 3] {
+    let [a, b, c] = triangle.map(|point| point.map(Dyadic::from));
+    let p = at.map(Dyadic::from);
+    let area = |a: &[Dyadic; 2], b: &[Dyadic; 2]| {
+        (&b[0] - &a[0]) * (&p[1] - &a[1]) - (&b[1] - &a[1]) * (&p[0] - &a[0])
+    };
+    [area(&b, &c), area(&c, &a), area(&a, &b)]
+}
+
+/// Numerator and denominator of the exact plane value at a pixel's centre.
+pub(crate) fn plane_value(triangle: &[[f32; 3]; 3], pixel: [u32; 2]) -> (Dyadic, Dyadic) {
+    let [a, b, c] = areas(triangle.map(|[x, y, _]| [x, y]), pixel.map(|n| n as f32 + 0.5));
+    let [z0, z1, z2] = triangle.map(|[_, _, z]| Dyadic::from(z));
+    (&a * &z0 + &b * &z1 + &c * &z2, a + b + c)
 }

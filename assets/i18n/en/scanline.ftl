@@ -17,10 +17,10 @@ scanline-crossing-right = The row meets { $edge }, its right edge, at x = { $x }
 scanline-first = The span begins at pixel { $x }.
 scanline-end = The span ends before pixel { $x }.
 scanline-corrected = Rounding chose another pixel; the exact sign of the edge says { $x }.
-scanline-tie-left-drawn = Pixel ({ $x }, { $y }) is a tie: its centre lies exactly on { $edge }, a left edge: the span takes it in.
-scanline-tie-left-lost = Pixel ({ $x }, { $y }) is a tie: its centre lies exactly on { $edge }, a left edge: the span leaves it out.
-scanline-tie-right-drawn = Pixel ({ $x }, { $y }) is a tie: its centre lies exactly on { $edge }, a right edge: the span takes it in.
-scanline-tie-right-lost = Pixel ({ $x }, { $y }) is a tie: its centre lies exactly on { $edge }, a right edge: the span leaves it out.
+scanline-tie-left-drawn = Pixel ({ $x }, { $y }) is a tie: its centre lies exactly on { $edge }, a left edge. The span takes it in.
+scanline-tie-left-lost = Pixel ({ $x }, { $y }) is a tie: its centre lies exactly on { $edge }, a left edge. The span leaves it out.
+scanline-tie-right-drawn = Pixel ({ $x }, { $y }) is a tie: its centre lies exactly on { $edge }, a right edge. The span takes it in.
+scanline-tie-right-lost = Pixel ({ $x }, { $y }) is a tie: its centre lies exactly on { $edge }, a right edge. The span leaves it out.
 scanline-span = Row { $y }: the span is { $first } ≤ x < { $end }, { $count ->
     [one] one pixel
    *[other] { $count } pixels

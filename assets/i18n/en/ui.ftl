@@ -1,0 +1,102 @@
+# The window: menus, panels, timeline, keys
+
+ui-menu-file = File
+ui-menu-edit = Edit
+ui-menu-view = View
+ui-menu-help = Help
+ui-menu-theme = Theme
+ui-menu-choices = Choices
+ui-file-open = Open…
+ui-file-presets = Presets
+ui-file-save = Save
+ui-file-save-as = Save as…
+ui-edit-undo = Undo
+ui-edit-redo = Redo
+ui-view-theme = Theme
+ui-view-text-size = Text size
+ui-theme-dark = Dark
+ui-theme-light = Light
+ui-theme-projector = Projector
+ui-text-100 = Normal
+ui-text-125 = Larger
+ui-text-150 = Large
+ui-text-200 = Very large
+ui-help-keys = Keys
+
+ui-stage-off = off
+ui-stage-earlier = { $count } { $count ->
+    [one] earlier stage
+   *[other] earlier stages
+}
+ui-stage-later = { $count } { $count ->
+    [one] later stage
+   *[other] later stages
+}
+
+ui-presets = Preset
+ui-conventions = Conventions
+ui-arithmetic = Arithmetic
+ui-arithmetic-exact = exact
+ui-arithmetic-f32 = f32, as taught
+ui-arithmetic-f64 = f64, as taught
+ui-arithmetic-fixed-8 = fixed, 8 bits
+ui-snap = Snap
+ui-snap-half = halves
+ui-snap-centre = pixel centres
+ui-snap-off = off
+ui-ends-and-window = Ends and window
+
+ui-tab-step = Step
+ui-tab-listing = Listing
+ui-tab-values = Values
+ui-tab-pixel = Pixel
+ui-inspector-empty = Here stands what each step does, once there is something to step.
+ui-listing-hint = Go to the next execution of this line
+ui-changed = changed in this step
+ui-more-rows = { $count } more { $count ->
+    [one] row
+   *[other] rows
+}
+
+ui-canvas = Canvas
+ui-canvas-empty = No triangle yet. Choose a preset, or open a file.
+ui-readout-pixel = ({ $x }, { $y })  centre { $centre }
+ui-readout-point = { $at }
+
+ui-timeline-begin = To the start
+ui-timeline-back = Step back
+ui-timeline-play = Play
+ui-timeline-pause = Pause
+ui-timeline-forward = Step forward
+ui-timeline-end = To the end
+ui-timeline-scrub = Step of the run
+ui-timeline-level = Size of a step
+ui-timeline-speed = Steps a second
+ui-timeline-per-second = { $speed } /s
+ui-level-primitive = primitive
+ui-level-row = row
+ui-level-detail = detail
+ui-key-home = Home
+ui-key-space = Space
+ui-key-end = End
+ui-key-play = Play, pause
+ui-key-fit = Fit the drawing into the canvas
+ui-key-theme = Next theme
+ui-key-escape = Put a drag back, close what lies on top
+ui-key-tab = Next control or handle
+ui-key-arrows = Move the handle that has the focus
+ui-key-alt = Hold while dragging: no snapping
+ui-close = Close
+
+ui-open = Open
+ui-save = Save
+ui-cancel = Cancel
+ui-dismiss = Dismiss
+ui-choose-file = Choose a file…
+ui-path-open = Open the file
+ui-path-save = Save as
+ui-no-dialog = There is no file dialog here: type the path, or drop the file on the window.
+ui-saved = Saved to { $path }.
+ui-error-read = { $path } cannot be read: { $reason }. Check the path, then open it again.
+ui-error-write = { $path } cannot be written: { $reason }. Save under another path.
+ui-pixel-none = Click a pixel of the picture: here stands what happened to it.

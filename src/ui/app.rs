@@ -1,0 +1,196 @@
+//! The window's contents as one value: document, view, run, and one frame of it.
+
+use crate::{
+    document::{Document, ViewState},
+    face::Command,
+    labs::{self, Lab},
+    paint::Textures,
+    platform::Platform,
+    presets::{self, PresetInfo},
+    run::Run,
+    shell::{
+        canvas::Canvas,
+        inspector::Digest,
+        notice::Notice,
+    },
+    theme::{self, Look},
+};
+use egui::{Context, Ui};
+use rasterscope_core::{
+    history::History,
+    labs as core_labs,
+    message::Message,
+    replay::Budget,
+    scene::{LabInput, Scene},
+};
+use rasterscope_figure::{theme::ThemeName, words::Words};
+use std::{cell::RefCell, rc::Rc};
+
+/// The window's contents.
+#[derive(Debug)]
+pub struct App {
+    pub(crate) document: Document,
+    pub(crate) history: History<Document>,
+    pub(crate) view: ViewState,
+    pub(crate) run: Run,
+    /// The scene that the run is of, and why there is no run.
+    ran: Option<(Scene, Option<Message>)>,
+    pub(crate) digest: Option<Digest>,
+    pub(crate) canvas: Canvas,
+    pub(crate) textures: Textures,
+    pub(crate) labs: Vec<Box<dyn Lab>>,
+    pub(crate) presets: Vec<PresetInfo>,
+    /// The preset that was opened, and what it was; no longer chosen once something is edited.
+    pub(crate) preset: Option<(&'static str, Document)>,
+    pub(crate) notice: Option<Notice>,
+    /// Where the document came from, and what was last written there.
+    pub(crate) path: Option<String>,
+    pub(crate) words: Rc<Words>,
+    pub(crate) look: Rc<Look>,
+}
+
+impl App {
+    /// The window with the default scene.
+    pub fn new(ctx: &Context) -> Self {
+        ctx.set_fonts(theme::fonts());
+        let words = Rc::new(Words::default());
+        let view = ViewState::default();
+        let look = Rc::new(Look::new(view.theme));
+        look.apply(ctx);
+        let mut app = Self {
+            document: Document::new(Scene::empty([36, 24])),
+            history: History::default(),
+            view,
+            run: Run::default(),
+            ran: None,
+            digest: None,
+            canvas: Canvas::default(),
+            textures: Textures::default(),
+            labs: labs::registry(),
+            presets: presets::all(&words),
+            preset: None,
+            notice: None,
+            path: None,
+            words,
+            look,
+        };
+        if let Some(first) = app.presets.first() {
+            app.open_preset(first.name);
+        }
+        app
+    }
+
+    /// One frame, always in this order: keys, edits, run, panels, commands.
+    pub fn ui(&mut self, ui: &mut Ui, platform: &mut dyn Platform) {
+        let ctx = ui.ctx().clone();
+        let mut commands: Vec<Command> = ctx
+            .input(|input| input.raw.dropped_files.clone())
+            .into_iter()
+            .map(|file| Command::Open(file.path().to_string_lossy().into_owned()))
+            .collect();
+        commands.extend(platform.chosen().map(Command::Open));
+        commands.extend(crate::shell::keys::pressed(&ctx, self.canvas.handles()));
+        self.execute(&ctx, commands, platform);
+        self.play(&ctx);
+        self.update();
+
+        self.history.begin(&self.document);
+        let commands = RefCell::default();
+        self.panels(ui, &commands);
+        let gesture = ctx.dragged_id().is_some() || ctx.text_edit_focused();
+        let edited = self.history.before().is_some_and(|before| *before != self.document);
+        self.history.end(&self.document, gesture);
+        crate::shell::keys::keep_arrows(&ctx);
+
+        let commands = commands.into_inner();
+        if edited || !commands.is_empty() {
+            ctx.request_repaint();
+        }
+        self.execute(&ctx, commands, platform);
+        self.textures.end_frame();
+    }
+
+    /// Starts the run anew if what it depends on has changed.
+    pub(crate) fn update(&mut self) {
+        let scene = &self.document.scene;
+        if self.ran.as_ref().is_some_and(|(old, _)| old == scene) {
+            return;
+        }
+        let problem = match core_labs::play(scene, Budget::default()) {
+            Ok(playback) => {
+                self.run.set(playback);
+                None
+            }
+            Err(problem) => {
+                self.run.clear();
+                Some(problem)
+            }
+        };
+        self.ran = Some((scene.clone(), problem));
+    }
+
+    /// Takes the steps that are due, and asks for the frame in which the next one is.
+    fn play(&mut self, ctx: &Context) {
+        let Some(due) = self.view.due else { return };
+        let now = ctx.input(|input| input.time);
+        let pause = 1.0 / f64::from(self.view.speed);
+        if now >= due {
+            self.run.next(self.view.level);
+            self.view.due = Some((due + pause).max(now));
+        }
+        match self.run.shown() {
+            Some(shown) if shown.cursor < shown.len => {
+                let wait = (self.view.due.unwrap_or(now) - now).max(0.001);
+                ctx.request_repaint_after(std::time::Duration::from_secs_f64(wait));
+            }
+            _ => self.view.due = None,
+        }
+    }
+
+    /// Why nothing runs, if so.
+    pub(crate) fn problem(&self) -> Option<String> {
+        self.ran.as_ref().and_then(|(_, problem)| problem.as_ref()).map(|problem| self.words.message(problem))
+    }
+
+    /// The open lab.
+    pub(crate) fn lab(&self) -> usize {
+        let name = self.document.input().name();
+        self.labs.iter().position(|lab| lab.name() == name).unwrap_or(0)
+    }
+
+    /// Opens a lab of the registry; not an edit, so undo does not close it.
+    pub(crate) fn open_lab(&mut self, name: &'static str) {
+        self.document.open_lab(name, || core_labs::default_input(name).unwrap_or(LabInput::Pipeline));
+        self.view.due = None;
+        self.canvas.fit();
+    }
+
+    /// Replaces the document; can be undone.
+    pub(crate) fn replace(&mut self, scene: Scene) {
+        let step = scene.lab.as_ref().and_then(|lab| lab.step);
+        self.history.begin(&self.document);
+        self.document = Document::new(scene);
+        self.history.end(&self.document, false);
+        self.view.due = None;
+        self.view.pixel = None;
+        self.notice = None;
+        self.run.clear();
+        self.update();
+        if let Some(step) = step {
+            self.run.seek(step);
+        }
+        self.canvas.fit();
+    }
+
+    /// What is kept from one start to the next, as text.
+    pub fn settings(&self) -> String {
+        self.view.theme.name().to_owned()
+    }
+
+    /// Takes what was kept; what is unknown leaves the default.
+    pub fn restore(&mut self, ctx: &Context, settings: &str) {
+        if let Some(theme) = ThemeName::from_name(settings.trim()) {
+            self.wear(ctx, theme);
+        }
+    }
+}

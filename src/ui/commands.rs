@@ -1,0 +1,167 @@
+//! What happens when a panel or a key asks for something.
+
+use crate::{
+    app::App,
+    face::Command,
+    files,
+    platform::Platform,
+    shell::notice::Notice,
+    theme::Look,
+};
+use egui::Context;
+use rasterscope_core::{
+    labs as core_labs,
+    message::{Message, Value},
+    scene,
+};
+use rasterscope_figure::theme::ThemeName;
+use std::rc::Rc;
+
+impl App {
+    /// Does what was asked for, in order.
+    pub(crate) fn execute(&mut self, ctx: &Context, commands: Vec<Command>, platform: &mut dyn Platform) {
+        for command in commands {
+            self.one(ctx, command, platform);
+        }
+    }
+
+    fn one(&mut self, ctx: &Context, command: Command, platform: &mut dyn Platform) {
+        match command {
+            Command::Seek(step) => self.seek(|app| app.run.seek(step)),
+            Command::Next => self.seek(|app| app.run.next(app.view.level)),
+            Command::Back => self.seek(|app| app.run.back(app.view.level)),
+            Command::Begin => self.seek(|app| app.run.seek(0)),
+            Command::End => self.seek(|app| app.run.seek(usize::MAX)),
+            Command::ToLine(line) => self.seek(|app| app.run.to_line(line)),
+            Command::Play => self.toggle_play(ctx),
+            Command::Level(level) => self.view.level = level,
+            Command::Speed(speed) => self.view.speed = speed,
+            Command::Undo => self.history.undo(&mut self.document),
+            Command::Redo => self.history.redo(&mut self.document),
+            Command::NextTheme => {
+                let at = ThemeName::ALL.iter().position(|theme| *theme == self.view.theme).unwrap_or(0);
+                self.wear(ctx, ThemeName::ALL[(at + 1) % ThemeName::ALL.len()]);
+            }
+            Command::Theme(theme) => self.wear(ctx, theme),
+            Command::TextSize(size) => ctx.set_zoom_factor(size),
+            Command::Keys => self.view.keys = !self.view.keys,
+            Command::Choices => self.view.choices = !self.view.choices,
+            Command::Fit => self.canvas.fit(),
+            Command::Escape => self.escape(ctx),
+            Command::Stage(stage) => {
+                let lab = core_labs::ALL.iter().find(|lab| lab.stage == stage);
+                self.open_lab(lab.map_or("pipeline", |lab| lab.name));
+            }
+            Command::Preset(name) => self.open_preset(name),
+            Command::Open(path) => self.open(&path, platform),
+            Command::Choose => {
+                if !platform.choose_file() {
+                    self.notice = Some(Notice::Failed(self.words.word("ui-no-dialog")));
+                }
+            }
+            Command::AskOpen => self.ask_path(false),
+            Command::AskSave => self.ask_path(true),
+            Command::SaveAs(path) => self.save(&path, platform),
+            Command::Save => match self.path.clone().filter(|path| path.ends_with(".json")) {
+                Some(path) => self.save(&path, platform),
+                None => self.ask_path(true),
+            },
+            Command::Dismiss => self.notice = None,
+        }
+    }
+
+    /// Moves the cursor by hand, which ends playing.
+    fn seek(&mut self, go: impl FnOnce(&mut Self)) {
+        self.view.due = None;
+        go(self);
+    }
+
+    fn toggle_play(&mut self, ctx: &Context) {
+        let Some(shown) = self.run.shown().filter(|_| self.view.due.is_none()) else {
+            self.view.due = None;
+            return;
+        };
+        if shown.cursor == shown.len {
+            self.run.seek(0);
+        }
+        let now = ctx.input(|input| input.time);
+        self.view.due = Some(now + 1.0 / f64::from(self.view.speed));
+        ctx.request_repaint();
+    }
+
+    pub(crate) fn wear(&mut self, ctx: &Context, theme: ThemeName) {
+        self.view.theme = theme;
+        self.look = Rc::new(Look::new(theme));
+        self.look.apply(ctx);
+    }
+
+    /// Takes back what is in progress: a drag first, then what lies over the canvas.
+    fn escape(&mut self, ctx: &Context) {
+        if self.canvas.dragging() {
+            if let Some(before) = self.history.before() {
+                self.document = before.clone();
+            }
+            ctx.stop_dragging();
+        } else if self.view.keys {
+            self.view.keys = false;
+        } else if self.notice.is_some() {
+            self.notice = None;
+        } else if self.view.choices {
+            self.view.choices = false;
+        } else {
+            self.view.due = None;
+        }
+    }
+
+    fn ask_path(&mut self, save: bool) {
+        let path = self.path.clone().unwrap_or_else(|| if save { "scene.json".to_owned() } else { String::new() });
+        self.notice = Some(Notice::Path { save, path, fresh: true });
+    }
+
+    /// Opens a preset of the program.
+    pub(crate) fn open_preset(&mut self, name: &'static str) {
+        let Some(preset) = scene::preset(name) else { return };
+        match files::scene(preset.json.as_bytes(), "", &mut |_| None) {
+            Ok(scene) => {
+                self.replace(scene);
+                self.path = None;
+                self.preset = Some((name, self.document.clone()));
+            }
+            Err(problem) => self.notice = Some(Notice::Failed(self.words.message(&problem))),
+        }
+    }
+
+    /// Opens a scene or a model. If that fails the document stays as it is.
+    pub fn open(&mut self, path: &str, platform: &mut dyn Platform) {
+        let opened = platform
+            .read(path)
+            .map_err(|error| unreadable("ui-error-read", path, &error))
+            .and_then(|bytes| files::open(path, &bytes, &mut |file| platform.read(file).ok()));
+        match opened {
+            Ok(scene) => {
+                self.replace(scene);
+                self.preset = None;
+                self.path = Some(path.to_owned());
+            }
+            Err(problem) => self.notice = Some(Notice::Failed(self.words.message(&problem))),
+        }
+    }
+
+    fn save(&mut self, path: &str, platform: &mut dyn Platform) {
+        let mut scene = self.document.scene.clone();
+        if let (Some(lab), Some(shown)) = (&mut scene.lab, self.run.shown()) {
+            lab.step = (shown.cursor < shown.len).then_some(shown.cursor);
+        }
+        self.notice = Some(match platform.write(path, scene.to_json().as_bytes()) {
+            Ok(()) => {
+                self.path = Some(path.to_owned());
+                Notice::Done(self.words.message(&Message::new("ui-saved").with("path", Value::text(path))))
+            }
+            Err(error) => Notice::Failed(self.words.message(&unreadable("ui-error-write", path, &error))),
+        });
+    }
+}
+
+fn unreadable(id: &'static str, path: &str, error: &std::io::Error) -> Message {
+    Message::new(id).with("path", Value::text(path)).with("reason", Value::text(error))
+}

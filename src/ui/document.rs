@@ -1,0 +1,199 @@
+//! The document: what undo restores and a scene file holds; and the view, which is neither.
+
+use rasterscope_core::{
+    explain::Level,
+    scene::{Lab, LabInput, Scene},
+};
+use rasterscope_figure::theme::ThemeName;
+
+/// Everything the user edits. Nothing derived lives here.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Document {
+    /// The scene, with the lab that is open.
+    pub(crate) scene: Scene,
+    /// The inputs of the labs that were open before, so that going back finds them.
+    others: Vec<LabInput>,
+}
+
+impl Document {
+    /// A document of a scene; a scene without a lab opens the overview.
+    pub(crate) fn new(mut scene: Scene) -> Self {
+        scene.lab.get_or_insert(Lab { step: None, input: LabInput::Pipeline });
+        Self { scene, others: Vec::new() }
+    }
+
+    /// The inputs of the open lab.
+    pub(crate) fn input(&self) -> &LabInput {
+        self.scene.lab.as_ref().map_or(&LabInput::Pipeline, |lab| &lab.input)
+    }
+
+    /// The inputs of the open lab, to edit.
+    pub(crate) fn input_mut(&mut self) -> &mut LabInput {
+        &mut self.scene.lab.get_or_insert(Lab { step: None, input: LabInput::Pipeline }).input
+    }
+
+    /// Opens another lab with the inputs it had, or with `first` at its first time.
+    pub(crate) fn open_lab(&mut self, name: &str, first: impl FnOnce() -> LabInput) {
+        if self.input().name() == name {
+            return;
+        }
+        let old = self.input().clone();
+        self.others.retain(|other| other.name() != old.name());
+        self.others.push(old);
+        let known = self.others.iter().find(|other| other.name() == name).cloned();
+        self.scene.lab = Some(Lab { step: None, input: known.unwrap_or_else(first) });
+    }
+}
+
+/// Where dragged points snap to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Snap {
+    /// Halves of a unit: pixel centres and corners, and round numbers.
+    #[default]
+    Half,
+    /// Centres of pixels.
+    Centre,
+    /// Anywhere.
+    Off,
+}
+
+impl Snap {
+    /// All, the default first.
+    pub(crate) const ALL: [Self; 3] = [Self::Half, Self::Centre, Self::Off];
+
+    /// The nearest coordinate that may be chosen.
+    pub(crate) fn snap(self, x: f32) -> f32 {
+        // Adding zero turns a negative zero into zero.
+        let snapped = match self {
+            Self::Half => (x * 2.0).round() / 2.0,
+            Self::Centre => x.floor() + 0.5,
+            // Shown numbers have at most four decimals; a drag gives no more.
+            Self::Off => (x * 4096.0).round() / 4096.0,
+        };
+        snapped + 0.0
+    }
+
+    /// How far an arrow key moves a point.
+    pub(crate) fn step(self) -> f32 {
+        match self {
+            Self::Half => 0.5,
+            Self::Centre => 1.0,
+            Self::Off => 0.125,
+        }
+    }
+}
+
+/// The tabs of the inspector.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Tab {
+    /// What just happened.
+    #[default]
+    Step,
+    /// The pseudocode.
+    Listing,
+    /// Every value.
+    Values,
+    /// The chosen pixel.
+    Pixel,
+}
+
+/// What the overview's canvas shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Scenery {
+    /// The image, with outlines.
+    #[default]
+    Image,
+    /// The scene and its frustum from outside.
+    Space,
+}
+
+/// How the document is looked at: saved, but not undone.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ViewState {
+    /// The colours.
+    pub(crate) theme: ThemeName,
+    /// How big a step is.
+    pub(crate) level: Level,
+    /// Steps a second while playing.
+    pub(crate) speed: f32,
+    /// When the next step of playing is due, in egui's seconds.
+    pub(crate) due: Option<f64>,
+    /// The inspector's tab.
+    pub(crate) tab: Tab,
+    /// The pixel whose history is shown.
+    pub(crate) pixel: Option<[u32; 2]>,
+    /// What the overview's canvas shows.
+    pub(crate) scenery: Scenery,
+    /// Whether the overview draws the outlines of triangles.
+    pub(crate) outlines: bool,
+    /// Whether the overview draws the pixel grid.
+    pub(crate) grid: bool,
+    /// How much larger than fitting the canvas is drawn.
+    pub(crate) zoom: f32,
+    /// How far the drawing is moved, in parts of the canvas's size.
+    pub(crate) pan: [f32; 2],
+    /// Where dragged points snap to.
+    pub(crate) snap: Snap,
+    /// Whether the choices lie over the canvas of a narrow window.
+    pub(crate) choices: bool,
+    /// Whether the keys are shown.
+    pub(crate) keys: bool,
+}
+
+impl Default for ViewState {
+    fn default() -> Self {
+        Self {
+            theme: ThemeName::Dark,
+            level: Level::Detail,
+            speed: 2.0,
+            due: None,
+            tab: Tab::Step,
+            pixel: None,
+            scenery: Scenery::Image,
+            outlines: true,
+            grid: true,
+            zoom: 1.0,
+            pan: [0.0; 2],
+            snap: Snap::Half,
+            choices: false,
+            keys: false,
+        }
+    }
+}
+
+impl ViewState {
+    /// Whether steps are being played.
+    pub(crate) fn playing(&self) -> bool {
+        self.due.is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lab_finds_its_inputs_again() {
+        let line = |x| LabInput::CohenSutherland {
+            window: [0.0, 0.0, 4.0, 3.0],
+            segment: [x, 0.0, 1.0, 1.0],
+            arithmetic: Default::default(),
+        };
+        let mut document = Document::new(Scene::empty([8, 8]));
+        assert_eq!(document.input(), &LabInput::Pipeline);
+        document.open_lab("cohen-sutherland", || line(1.0));
+        *document.input_mut() = line(2.0);
+        document.open_lab("pipeline", || LabInput::Pipeline);
+        document.open_lab("cohen-sutherland", || line(3.0));
+        assert_eq!(document.input(), &line(2.0));
+    }
+
+    #[test]
+    fn snapping_gives_no_negative_zero() {
+        for snap in Snap::ALL {
+            assert!(snap.snap(-1e-6).is_sign_positive() || snap == Snap::Centre, "{snap:?}");
+        }
+        assert_eq!(Snap::Half.snap(2.74), 2.5);
+        assert_eq!(Snap::Centre.snap(2.99), 2.5);
+    }
+}

@@ -1,0 +1,108 @@
+//! What every panel is given: the look, the words, and a way to ask for something.
+
+use crate::theme::{Look, Text};
+use egui::RichText;
+use rasterscope_core::{
+    explain::Level,
+    labs::Stage,
+    message::{Message, Value},
+};
+use rasterscope_figure::{theme::ThemeName, words::Words};
+use std::cell::RefCell;
+
+/// What a panel wants done. The shell does it after the frame, in one place.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Command {
+    /// Go to a step.
+    Seek(usize),
+    /// Go on by a step of the chosen size.
+    Next,
+    /// Go back by a step of the chosen size.
+    Back,
+    /// Go to the start.
+    Begin,
+    /// Go to the end.
+    End,
+    /// Go to the next execution of a listing line.
+    ToLine(usize),
+    /// Play, or stop playing.
+    Play,
+    /// Choose the size of a step.
+    Level(Level),
+    /// Choose the steps per second of playing.
+    Speed(f32),
+    /// Take the last edit back.
+    Undo,
+    /// Take the last undo back.
+    Redo,
+    /// Wear the next theme.
+    NextTheme,
+    /// Wear a theme.
+    Theme(ThemeName),
+    /// Make everything bigger or smaller.
+    TextSize(f32),
+    /// Show or hide the keys.
+    Keys,
+    /// Show or hide the choices in a narrow window.
+    Choices,
+    /// Fit the drawing into the canvas.
+    Fit,
+    /// Close what lies over the canvas.
+    Escape,
+    /// Open the lab of a stage, or the overview at that stage.
+    Stage(Stage),
+    /// Open a preset.
+    Preset(&'static str),
+    /// Open a file.
+    Open(String),
+    /// Ask for a file to open.
+    Choose,
+    /// Ask for a path to open.
+    AskOpen,
+    /// Ask for a path to save to.
+    AskSave,
+    /// Save to a path.
+    SaveAs(String),
+    /// Save where the document came from.
+    Save,
+    /// Close the bar under the ribbon.
+    Dismiss,
+}
+
+/// The look and the words, and where commands go.
+#[derive(Debug)]
+pub(crate) struct Face<'a> {
+    /// Colours, fonts and sizes.
+    pub(crate) look: &'a Look,
+    /// Sentences.
+    pub(crate) words: &'a Words,
+    /// What was asked for in this frame.
+    pub(crate) commands: &'a RefCell<Vec<Command>>,
+}
+
+impl Face<'_> {
+    /// Asks for something.
+    pub(crate) fn ask(&self, command: Command) {
+        self.commands.borrow_mut().push(command);
+    }
+
+    /// The words of a message without arguments.
+    pub(crate) fn say(&self, id: &'static str) -> String {
+        self.words.message(&Message::new(id))
+    }
+
+    /// The words of a message with one argument.
+    pub(crate) fn say_with(&self, id: &'static str, name: &'static str, value: impl Into<Value>) -> String {
+        self.words.message(&Message::new(id).with(name, value))
+    }
+
+    /// Text in a style, in the text colour.
+    pub(crate) fn rich(&self, text: impl Into<String>, style: Text) -> RichText {
+        RichText::new(text).font(self.look.font(style)).color(self.look.text)
+    }
+
+    /// Text in a style, in the colour of secondary text.
+    pub(crate) fn dim(&self, text: impl Into<String>, style: Text) -> RichText {
+        self.rich(text, style).color(self.look.dim)
+    }
+}

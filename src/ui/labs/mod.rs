@@ -1,0 +1,56 @@
+//! The labs: one small file each, and the registry, the only list of them.
+//!
+//! A lab says what of the document can be dragged and chosen. Running, stepping, listing,
+//! inspector and painting are the shell's, the same for all.
+
+mod cohen_sutherland;
+
+use crate::{
+    document::{Document, ViewState},
+    face::Face,
+};
+use egui::Ui;
+
+/// A stage as the shell sees it.
+pub(crate) trait Lab: std::fmt::Debug {
+    /// Its name in the core's registry.
+    fn name(&self) -> &'static str;
+
+    /// Widgets that edit the document.
+    fn controls(&self, ui: &mut Ui, face: &Face<'_>, document: &mut Document, view: &mut ViewState);
+
+    /// What can be dragged on the canvas, in the units of the drawing.
+    fn handles(&self, document: &Document) -> Vec<Handle>;
+
+    /// Moves a handle: the only way in which the canvas edits the document.
+    fn drag(&self, document: &mut Document, handle: usize, to: [f32; 2]);
+}
+
+/// A point of the drawing that can be dragged.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Handle {
+    /// Its accessible name.
+    pub(crate) name: String,
+    /// Where it is.
+    pub(crate) at: [f32; 2],
+    /// What it does.
+    pub(crate) kind: Kind,
+}
+
+/// What a handle moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// A point.
+    Point,
+    /// A side that moves along x.
+    SideX,
+    /// A side that moves along y.
+    SideY,
+    /// A corner.
+    Corner,
+}
+
+/// All labs, in pipeline order.
+pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
+    vec![Box::new(cohen_sutherland::CohenSutherland)]
+}

@@ -1,0 +1,152 @@
+//! Where each panel stands in the window.
+
+use crate::{
+    app::App,
+    face::{Command, Face},
+    shell::{
+        Frame, NARROW,
+        canvas::Drawing,
+        choices,
+        inspector::{self, Digest},
+        keys, menu, notice,
+        ribbon::{self, Shape},
+        timeline,
+    },
+    stages,
+    theme::Text,
+};
+use egui::{Align2, CentralPanel, Color32, Margin, Panel, Rect, Ui, UiBuilder, vec2};
+use rasterscope_core::labs as core_labs;
+use std::{cell::RefCell, rc::Rc};
+
+/// Width of the choices where they are a panel.
+const CHOICES: f32 = 228.0;
+/// Width of the choices where they lie over the canvas.
+const DRAWER: f32 = 260.0;
+
+impl App {
+    /// Shows every panel of one frame.
+    pub(crate) fn panels(&mut self, ui: &mut Ui, commands: &RefCell<Vec<Command>>) {
+        let (look, words) = (Rc::clone(&self.look), Rc::clone(&self.words));
+        let face = Face { look: &look, words: &words, commands };
+        let narrow = ui.max_rect().width() < NARROW;
+        let presets = std::mem::take(&mut self.presets);
+        let lab = self.lab();
+        let name = self.labs[lab].name();
+        let stage = core_labs::find(name).map_or(core_labs::Stage::Image, |lab| lab.stage);
+        let frame = Frame {
+            theme: self.view.theme,
+            can_undo: self.history.can_undo(),
+            can_redo: self.history.can_redo(),
+            narrow,
+            title: self.words.word(name),
+            subtitle: self.subtitle(),
+            about: self.words.word(stages::about(name)),
+            lab: name,
+            preset: self.preset.as_ref().filter(|(_, document)| *document == self.document).map(|(name, _)| *name),
+            presets: &presets,
+            problem: self.problem(),
+        };
+        let plain = |fill: Color32, margin: Margin| egui::Frame::NONE.fill(fill).inner_margin(margin);
+
+        Panel::top("menu")
+            .exact_size(36.0)
+            .resizable(false)
+            .show_separator_line(false)
+            .frame(plain(look.panel, Margin::symmetric(14, 0)))
+            .show(ui, |ui| menu::show(ui, &face, &frame));
+        let shape = match (narrow, name) {
+            (true, _) => Shape::Path,
+            (_, "pipeline") => Shape::Tall,
+            _ => Shape::Flat,
+        };
+        let chips = self.chips();
+        Panel::top("ribbon")
+            .exact_size(shape.height())
+            .resizable(false)
+            .frame(plain(look.panel, Margin::ZERO))
+            .show(ui, |ui| ribbon::show(ui, &face, &mut self.textures, shape, &chips, stage));
+        if let Some(notice) = &mut self.notice {
+            Panel::top("notice")
+                .exact_size(notice::height(&face))
+                .resizable(false)
+                .frame(plain(look.panel, Margin::ZERO))
+                .show(ui, |ui| notice::show(ui, &face, notice));
+        }
+        Panel::bottom("timeline")
+            .exact_size(if look.projector() { 76.0 } else { 64.0 })
+            .resizable(false)
+            .frame(plain(look.panel, Margin::ZERO))
+            .show(ui, |ui| timeline::show(ui, &face, self.run.shown(), &self.view));
+        if !narrow {
+            Panel::left("choices")
+                .exact_size(CHOICES)
+                .resizable(false)
+                .frame(plain(look.panel, Margin::symmetric(14, 12)))
+                .show(ui, |ui| {
+                    let lab = self.labs[lab].as_ref();
+                    choices::show(ui, &face, &frame, lab, &mut self.document, &mut self.view);
+                });
+        }
+        let width = match (narrow, look.projector()) {
+            (true, true) => 372.0,
+            (true, false) => 340.0,
+            (false, true) => 400.0,
+            (false, false) => 360.0,
+        };
+        Panel::right("inspector").exact_size(width).resizable(false).frame(plain(look.panel, Margin::ZERO)).show(ui, |ui| {
+            let shown = self.run.shown();
+            let digest = Digest::update(&mut self.digest, shown, &words);
+            inspector::show(ui, &face, &frame, shown, digest, &mut self.view);
+        });
+        CentralPanel::default().frame(plain(look.canvas, Margin::ZERO)).show(ui, |ui| {
+            let rect = ui.max_rect();
+            ui.set_clip_rect(rect);
+            self.canvas_panel(ui, &face, &frame, lab);
+            if narrow && self.view.choices {
+                self.drawer(ui, &face, &frame, lab, rect);
+            }
+        });
+        if self.view.keys {
+            keys::overlay(ui, &face);
+        }
+        self.presets = presets;
+    }
+
+    fn canvas_panel(&mut self, ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, lab: usize) {
+        let Some(shown) = self.run.shown() else {
+            let rect = ui.max_rect().shrink(40.0);
+            let text = frame.problem.clone().unwrap_or_else(|| face.say("ui-canvas-empty"));
+            let font = face.look.font(Text::Sentence);
+            let galley = ui.painter().layout(text, font, face.look.dim, rect.width());
+            let at = Align2::CENTER_CENTER.align_size_within_rect(galley.size(), rect).min;
+            ui.painter().galley(at, galley, face.look.dim);
+            return;
+        };
+        let drawing = Drawing { marks: &shown.marks, view: &shown.view, rev: shown.rev };
+        let lab = self.labs[lab].as_ref();
+        self.canvas.show(ui, face, &mut self.textures, drawing, lab, &mut self.document, &mut self.view);
+    }
+
+    /// The choices over the canvas of a narrow window.
+    fn drawer(&mut self, ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, lab: usize, rect: Rect) {
+        let at = Rect::from_min_size(rect.min, vec2(DRAWER, rect.height()));
+        // Takes the clicks that would reach the canvas below.
+        ui.interact(at, ui.scope_id().with("drawer"), egui::Sense::click_and_drag());
+        ui.painter().rect_filled(at, 0, face.look.panel);
+        ui.painter().vline(at.right(), at.y_range(), egui::Stroke::new(1.0, face.look.line));
+        ui.scope_builder(UiBuilder::new().max_rect(at.shrink2(vec2(14.0, 12.0))), |ui| {
+            let lab = self.labs[lab].as_ref();
+            choices::show(ui, face, frame, lab, &mut self.document, &mut self.view);
+        });
+    }
+
+    fn subtitle(&self) -> String {
+        let preset = self.preset.as_ref().and_then(|(name, _)| self.presets.iter().find(|p| p.name == *name));
+        match (&self.path, preset) {
+            (Some(path), _) => path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned(),
+            (None, Some(preset)) => preset.title.clone(),
+            (None, None) => crate::presets::text(&self.words, &self.document.scene.name),
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! The choices: what is open and why it matters, presets, conventions, numbers.
+
+use crate::{
+    document::{Document, Snap, ViewState},
+    face::{Command, Face},
+    labs::Lab,
+    shell::Frame,
+    theme::Text,
+    widgets::{heading, row, text_in},
+};
+use egui::{Align2, ComboBox, DragValue, Rect, ScrollArea, Ui, pos2, vec2};
+use rasterscope_core::{math::Arithmetic, message::Value};
+use rasterscope_figure::numbers;
+
+/// Shows the choices of a lab and edits the document.
+pub(crate) fn show(
+    ui: &mut Ui,
+    face: &Face<'_>,
+    frame: &Frame<'_>,
+    lab: &dyn Lab,
+    document: &mut Document,
+    view: &mut ViewState,
+) {
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        ui.label(face.rich(&frame.title, Text::Title));
+        ui.label(face.dim(&frame.about, Text::Label));
+        presets(ui, face, frame);
+        lab.controls(ui, face, document, view);
+    });
+}
+
+fn presets(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
+    let mine: Vec<_> = frame.presets.iter().filter(|preset| preset.lab == frame.lab).collect();
+    if mine.is_empty() {
+        return;
+    }
+    heading(ui, face, &face.say("ui-presets"));
+    ui.spacing_mut().item_spacing.y = 0.0;
+    for preset in mine {
+        let chosen = frame.preset == Some(preset.name);
+        let response = row(ui, face, face.look.row_height(), &preset.title, chosen, |ui, rect| {
+            let out = rect.expand2(vec2(6.0, 0.0));
+            if chosen {
+                ui.painter().rect_filled(out, 0, face.look.raised);
+                ui.painter().rect_filled(Rect::from_min_size(out.min, vec2(4.0, out.height())), 0, face.look.text);
+            }
+            let font = face.look.font(if chosen { Text::LabelStrong } else { Text::Label });
+            let color = if chosen { face.look.text } else { face.look.dim };
+            let room = rect.with_min_x(rect.left() + 6.0);
+            text_in(ui.painter(), room, Align2::LEFT_CENTER, &preset.title, font, color);
+        });
+        if response.on_hover_text(&preset.note).clicked() {
+            face.ask(Command::Preset(preset.name));
+        }
+    }
+    ui.spacing_mut().item_spacing.y = 4.0;
+}
+
+/// A label and a combo: one convention.
+pub(crate) fn choose<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    face: &Face<'_>,
+    label: &'static str,
+    value: &mut T,
+    all: &[(T, String)],
+) {
+    let before = *value;
+    let selected = all.iter().find(|(each, _)| *each == before).map_or("", |(_, name)| name);
+    let label = face.say(label);
+    labelled(ui, face, &label, |ui, width| {
+        let combo = ComboBox::from_id_salt(&label)
+            .width(width)
+            .truncate()
+            .selected_text(face.rich(selected, Text::Label))
+            .show_ui(ui, |ui| {
+                for (each, name) in all {
+                    ui.selectable_value(value, *each, name);
+                }
+            });
+        combo.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, &label));
+    });
+}
+
+/// A label in its column, and something beside it.
+pub(crate) fn labelled(ui: &mut Ui, face: &Face<'_>, label: &str, content: impl FnOnce(&mut Ui, f32)) {
+    ui.horizontal(|ui| {
+        let wide = if face.look.projector() { 100.0 } else { 76.0 };
+        let (rect, _) = ui.allocate_exact_size(vec2(wide, face.look.button_height()), egui::Sense::hover());
+        text_in(ui.painter(), rect, Align2::LEFT_CENTER, label, face.look.font(Text::Label), face.look.text);
+        let room = ui.available_width();
+        content(ui, room);
+    });
+}
+
+/// A check box.
+pub(crate) fn check(ui: &mut Ui, face: &Face<'_>, label: &'static str, value: &mut bool) {
+    ui.checkbox(value, face.rich(face.say(label), Text::Label));
+}
+
+/// Where dragged points snap to.
+pub(crate) fn snapping(ui: &mut Ui, face: &Face<'_>, view: &mut ViewState) {
+    let all = Snap::ALL.map(|snap| {
+        let name = match snap {
+            Snap::Half => "ui-snap-half",
+            Snap::Centre => "ui-snap-centre",
+            Snap::Off => "ui-snap-off",
+        };
+        (snap, face.say(name))
+    });
+    choose(ui, face, "ui-snap", &mut view.snap, &all);
+}
+
+/// A row of numbers that can be typed or dragged; `names` are their accessible names.
+pub(crate) fn fields<const N: usize>(ui: &mut Ui, face: &Face<'_>, label: &str, values: [&mut f32; N]) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        let wide = if face.look.projector() { 44.0 } else { 34.0 };
+        let (rect, _) = ui.allocate_exact_size(vec2(wide, face.look.button_height()), egui::Sense::hover());
+        text_in(ui.painter(), rect, Align2::LEFT_CENTER, label, face.look.font(Text::Mono), face.look.text);
+        let width = (ui.available_width() - 6.0 * (N as f32 - 1.0)) / N as f32;
+        for (value, axis) in values.into_iter().zip(["x", "y", "z"]) {
+            let name = format!("{label} {axis}");
+            number(ui, face, width, &name, value);
+        }
+    });
+}
+
+/// One number that can be typed or dragged.
+pub(crate) fn number(ui: &mut Ui, face: &Face<'_>, width: f32, name: &str, value: &mut f32) {
+    let before = *value;
+    let drag = DragValue::new(value)
+        .speed(0.05)
+        .range(-1e9..=1e9)
+        .custom_formatter(|x, _| numbers::short(&Value::F64(x)))
+        .custom_parser(|text| text.trim().replace('−', "-").replace(',', ".").parse().ok());
+    let (rect, _) = ui.allocate_exact_size(vec2(width, face.look.button_height()), egui::Sense::hover());
+    let response = ui.place(Rect::from_min_size(pos2(rect.left(), rect.top()), rect.size()), drag);
+    response.accessible_name(name);
+    if !value.is_finite() {
+        *value = before;
+    }
+    *value += 0.0; // no negative zero
+}
+
+/// What an arithmetic is called.
+pub(crate) fn arithmetic(face: &Face<'_>, arithmetic: Arithmetic) -> String {
+    face.say(match arithmetic {
+        Arithmetic::Exact => "ui-arithmetic-exact",
+        Arithmetic::F32 => "ui-arithmetic-f32",
+        Arithmetic::F64 => "ui-arithmetic-f64",
+        Arithmetic::Fixed8 => "ui-arithmetic-fixed-8",
+    })
+}

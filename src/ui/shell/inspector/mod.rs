@@ -1,0 +1,142 @@
+//! The inspector: what just happened, the pseudocode, every value, the chosen pixel.
+
+mod listing;
+mod pixel;
+mod step;
+mod table;
+
+use crate::{
+    document::{Tab, ViewState},
+    face::Face,
+    run::Shown,
+    shell::Frame,
+    theme::Text,
+    widgets::{focus_ring, rule},
+};
+use egui::{Align2, Rect, Role as Part, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
+use rasterscope_core::explain::Grid;
+use rasterscope_figure::{
+    tables::{self, Run as Piece, TextTable},
+    words::Words,
+};
+
+/// A step in words and numbers; made anew only when the step changes.
+#[derive(Clone, Debug)]
+pub(crate) struct Digest {
+    rev: u64,
+    sentence: String,
+    formulas: Vec<[Vec<Piece>; 2]>,
+    tables: Vec<TextTable>,
+}
+
+impl Digest {
+    /// Brings `kept` up to date with what is shown.
+    pub(crate) fn update<'a>(kept: &'a mut Option<Self>, shown: Option<&Shown>, words: &Words) -> Option<&'a Self> {
+        let Some(shown) = shown else {
+            *kept = None;
+            return None;
+        };
+        if kept.as_ref().is_none_or(|old| old.rev != shown.rev) {
+            *kept = Some(Self {
+                rev: shown.rev,
+                sentence: words.message(&shown.sentence),
+                formulas: shown.formulas.iter().map(|formula| tables::formula(formula, words)).collect(),
+                tables: tables::format(&shown.tables, &shown.before, words),
+            });
+        }
+        kept.as_ref()
+    }
+}
+
+/// Shows the inspector.
+pub(crate) fn show(
+    ui: &mut Ui,
+    face: &Face<'_>,
+    frame: &Frame<'_>,
+    shown: Option<&Shown>,
+    digest: Option<&Digest>,
+    view: &mut ViewState,
+) {
+    let rect = ui.max_rect();
+    let height = if face.look.projector() { 44.0 } else { 36.0 };
+    let pixels = shown.is_some_and(|shown| shown.view.grid == Grid::Pixels);
+    if view.tab == Tab::Pixel && !pixels {
+        view.tab = Tab::Step;
+    }
+    let head = rect.with_max_y(rect.top() + height);
+    tabs(ui, face, head, view, pixels);
+    rule(ui, head, face.look);
+    let body = UiBuilder::new().max_rect(rect.with_min_y(head.bottom() + 1.0));
+    ui.scope_builder(body, |ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.style_mut().interaction.selectable_labels = true;
+        ScrollArea::vertical().id_salt(view.tab as usize).auto_shrink(false).show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            match (view.tab, shown, digest) {
+                (Tab::Pixel, ..) => pixel::show(ui, face, view),
+                (_, None, _) | (_, _, None) => empty(ui, face, frame),
+                (Tab::Step, Some(shown), Some(digest)) => step::show(ui, face, shown, digest),
+                (Tab::Listing, Some(shown), _) => listing::show(ui, face, shown),
+                (Tab::Values, _, Some(digest)) => {
+                    for (i, one) in digest.tables.iter().enumerate() {
+                        table::show(ui, face, one, None, i == 0);
+                    }
+                }
+            }
+        });
+    });
+}
+
+fn tabs(ui: &mut Ui, face: &Face<'_>, rect: Rect, view: &mut ViewState, pixels: bool) {
+    let all = [
+        (Tab::Step, "ui-tab-step"),
+        (Tab::Listing, "ui-tab-listing"),
+        (Tab::Values, "ui-tab-values"),
+        (Tab::Pixel, "ui-tab-pixel"),
+    ];
+    // Only drawings with pixels have a pixel to choose.
+    let all = &all[..if pixels { 4 } else { 3 }];
+    let width = rect.width() / all.len() as f32;
+    for (i, &(tab, name)) in all.iter().enumerate() {
+        let at = Rect::from_min_size(rect.min + vec2(i as f32 * width, 0.0), vec2(width, rect.height()));
+        let response = ui.interact(at, ui.scope_id().with(name), Sense::click());
+        let (chosen, name) = (view.tab == tab, face.say(name));
+        response.widget_info(|| WidgetInfo::selected(Part::Tab, true, chosen, &name));
+        if response.hovered() && !chosen {
+            ui.painter().rect_filled(at, 0, face.look.field);
+        }
+        let (style, color) = if chosen { (Text::Strong, face.look.text) } else { (Text::Body, face.look.dim) };
+        ui.painter().text(at.center(), Align2::CENTER_CENTER, name, face.look.font(style), color);
+        if chosen {
+            let foot = Rect::from_min_max(pos2(at.left(), at.bottom() - 3.0), at.max);
+            ui.painter().rect_filled(foot, 0, face.look.text);
+        }
+        focus_ring(ui, &response, at.shrink(1.0), face.look);
+        if response.clicked() {
+            view.tab = tab;
+        }
+    }
+}
+
+/// What would stand here, and why it does not.
+fn empty(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
+    inset(ui, |ui| {
+        ui.add_space(14.0);
+        let text = frame.problem.clone().unwrap_or_else(|| face.say("ui-inspector-empty"));
+        ui.label(face.dim(text, Text::Sentence));
+    });
+}
+
+/// Content 16 points from both edges; rows that are lit reach the edges and inset themselves.
+fn inset(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
+    egui::Frame::NONE.inner_margin(egui::Margin::symmetric(16, 0)).show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        content(ui);
+    });
+}
+
+/// A line between two parts.
+fn part_line(ui: &mut Ui, face: &Face<'_>) {
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 1.0), Sense::hover());
+    rule(ui, rect, face.look);
+}

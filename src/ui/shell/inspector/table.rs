@@ -1,0 +1,171 @@
+//! A table of values: numbers right-aligned under each other, changed ones marked.
+
+use super::inset;
+use crate::{face::Face, paint, theme::Text};
+use egui::{Align2, Color32, FontId, Rect, Role as Part, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use rasterscope_core::explain::Role;
+use rasterscope_figure::tables::{TextCell, TextRow, TextTable};
+
+/// Room at both edges.
+const INSET: f32 = 16.0;
+/// Least room between two columns.
+const GAP: f32 = 12.0;
+
+/// Shows a table; `most` rows of it, round the active one. `key` explains the mark of changes.
+pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, table: &TextTable, most: Option<usize>, key: bool) {
+    ui.add_space(8.0);
+    title(ui, face, table, key);
+    let rows = window(table, most);
+    let columns = columns(ui, face, table, &table.rows[rows.clone()]);
+    heading(ui, face, table, &columns);
+    if rows.start > 0 {
+        more(ui, face, rows.start);
+    }
+    for row in &table.rows[rows.clone()] {
+        show_row(ui, face, row, &columns);
+    }
+    if rows.end < table.rows.len() {
+        more(ui, face, table.rows.len() - rows.end);
+    }
+    ui.add_space(8.0);
+}
+
+/// The rows to show: round the active one, or the last ones.
+fn window(table: &TextTable, most: Option<usize>) -> std::ops::Range<usize> {
+    let (len, most) = (table.rows.len(), most.unwrap_or(usize::MAX));
+    if len <= most {
+        return 0..len;
+    }
+    let active = table.rows.iter().rposition(|row| row.active || row.changed()).unwrap_or(0);
+    let first = (active + 2).saturating_sub(most).min(len - most);
+    first..first + most
+}
+
+fn title(ui: &mut Ui, face: &Face<'_>, table: &TextTable, key: bool) {
+    inset(ui, |ui| {
+        ui.horizontal(|ui| {
+            ui.label(face.dim(&table.title, Text::LabelStrong));
+            if key && table.rows.iter().any(TextRow::changed) {
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    let color = face.look.role(Role::Changed);
+                    ui.label(face.rich(face.say("ui-changed"), Text::Label).color(color));
+                    let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
+                    paint::marker(ui.painter(), rect.center(), Role::Changed, 8.0, face.look);
+                });
+            }
+        });
+    });
+}
+
+fn font(face: &Face<'_>, text: &str, strong: bool) -> FontId {
+    let words = text.chars().filter(|c| c.is_lowercase()).count() > 2;
+    face.look.font(match (words, strong) {
+        (true, false) => Text::Label,
+        (true, true) => Text::LabelStrong,
+        (false, false) => Text::Mono,
+        (false, true) => Text::MonoStrong,
+    })
+}
+
+/// The right edge of each column, from the left edge of the table; the names come first.
+fn columns(ui: &Ui, face: &Face<'_>, table: &TextTable, rows: &[TextRow]) -> Vec<f32> {
+    let measure = |text: &str, font: FontId| ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x;
+    let name = rows.iter().map(|row| {
+        measure(&row.name, font(face, &row.name, true)) + if row.role.is_some() || row.changed() { 18.0 } else { 0.0 }
+    });
+    let name = name.fold(0.0, f32::max);
+    let widths: Vec<f32> = table
+        .columns
+        .iter()
+        .enumerate()
+        .map(|(i, heading)| {
+            let cells = rows.iter().filter_map(|row| row.cells.get(i));
+            let cells = cells.map(|cell| measure(&cell.text, font(face, &cell.text, true)));
+            cells.fold(measure(heading, face.look.font(Text::Listing)), f32::max)
+        })
+        .collect();
+    let room = ui.available_width() - 2.0 * INSET - name - widths.iter().sum::<f32>();
+    let gap = (room / widths.len().max(1) as f32).max(GAP.min(room / widths.len().max(1) as f32).max(4.0));
+    let mut right = INSET + name;
+    widths
+        .iter()
+        .map(|width| {
+            right += width + gap;
+            right
+        })
+        .collect()
+}
+
+fn heading(ui: &mut Ui, face: &Face<'_>, table: &TextTable, columns: &[f32]) {
+    if table.columns.iter().all(String::is_empty) {
+        return;
+    }
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
+    for (text, right) in table.columns.iter().zip(columns) {
+        let at = pos2(rect.left() + right, rect.center().y);
+        ui.painter().text(at, Align2::RIGHT_CENTER, text, face.look.font(Text::Listing), face.look.dim);
+    }
+}
+
+fn more(ui: &mut Ui, face: &Face<'_>, count: usize) {
+    inset(ui, |ui| {
+        ui.label(face.dim(face.say_with("ui-more-rows", "count", count), Text::Small));
+    });
+}
+
+fn show_row(ui: &mut Ui, face: &Face<'_>, row: &TextRow, columns: &[f32]) {
+    let look = face.look;
+    let height = look.line_height(Text::Mono) + if row.role.is_some() { 5.0 } else { 4.0 };
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+    let line = || {
+        let cells: Vec<&str> = row.cells.iter().map(|cell| cell.text.as_str()).collect();
+        WidgetInfo::labeled(Part::Label, true, format!("{} {}", row.name, cells.join(" ")))
+    };
+    response.widget_info(line);
+    if !ui.is_rect_visible(rect) {
+        return;
+    }
+    let painter = ui.painter();
+    let changed = row.changed();
+    let ground = match (row.active, changed) {
+        (true, _) => Some((look.lit, if look.now == look.lit { look.text } else { look.now })),
+        (_, true) => Some((look.changed_bg, look.role(Role::Changed))),
+        _ => None,
+    };
+    if let Some((fill, bar)) = ground {
+        painter.rect_filled(rect, 0, fill);
+        painter.rect_filled(Rect::from_min_size(rect.min, vec2(4.0, height)), 0, bar);
+    } else if response.hovered() {
+        painter.rect_filled(rect, 0, look.raised);
+    }
+    let strong = row.active || changed;
+    let at = pos2(rect.left() + INSET, rect.center().y);
+    let end = painter.text(at, Align2::LEFT_CENTER, &row.name, font(face, &row.name, strong), look.text).right();
+    let marker = row.role.or(changed.then_some(Role::Changed));
+    if let Some(role) = marker {
+        paint::marker(painter, pos2(end + 11.0, at.y), role, 9.0, look);
+    }
+    for (cell, right) in row.cells.iter().zip(columns) {
+        show_cell(ui, face, cell, pos2(rect.left() + right, at.y), strong, row.active);
+    }
+    let exact: Vec<String> = row
+        .cells
+        .iter()
+        .filter(|cell| cell.exact != cell.text)
+        .map(|cell| cell.exact.clone())
+        .collect();
+    if !exact.is_empty() {
+        response.on_hover_text(face.rich(exact.join("\n"), Text::Mono));
+    }
+}
+
+fn show_cell(ui: &Ui, face: &Face<'_>, cell: &TextCell, at: egui::Pos2, strong: bool, lit: bool) {
+    let look = face.look;
+    let color = if cell.changed && !lit { look.role(Role::Changed) } else { look.text };
+    let font = font(face, &cell.text, strong || cell.changed);
+    let rect = ui.painter().text(at, Align2::RIGHT_CENTER, &cell.text, font, color);
+    if cell.changed && !cell.text.is_empty() {
+        let y = ui.painter().round_to_pixel_center(rect.bottom() + 1.0);
+        ui.painter().hline(rect.x_range(), y, Stroke::new(2.0, look.role(Role::Changed)));
+    }
+}

@@ -1,0 +1,107 @@
+//! The keys: one table that handles them and that the overlay shows.
+
+use crate::{
+    face::{Command, Face},
+    theme::Text,
+};
+use egui::{Align2, Context, EventFilter, Grid, Id, Key, KeyboardShortcut, Modifiers, Popup, Ui, Window};
+
+/// One key, what it does, and the message that says so.
+type Shortcut = (KeyboardShortcut, Command, &'static str);
+
+/// All keys.
+pub(crate) fn all() -> Vec<Shortcut> {
+    let key = |key| KeyboardShortcut::new(Modifiers::NONE, key);
+    let ctrl = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
+    let ctrl_shift = |key| KeyboardShortcut::new(Modifiers::COMMAND | Modifiers::SHIFT, key);
+    vec![
+        (key(Key::Home), Command::Begin, "ui-timeline-begin"),
+        (key(Key::ArrowLeft), Command::Back, "ui-timeline-back"),
+        (key(Key::Space), Command::Play, "ui-key-play"),
+        (key(Key::ArrowRight), Command::Next, "ui-timeline-forward"),
+        (key(Key::End), Command::End, "ui-timeline-end"),
+        (ctrl_shift(Key::Z), Command::Redo, "ui-edit-redo"),
+        (ctrl(Key::Z), Command::Undo, "ui-edit-undo"),
+        (ctrl(Key::Y), Command::Redo, "ui-edit-redo"),
+        (ctrl(Key::O), Command::AskOpen, "ui-file-open"),
+        (ctrl_shift(Key::S), Command::AskSave, "ui-file-save-as"),
+        (ctrl(Key::S), Command::Save, "ui-file-save"),
+        (key(Key::F), Command::Fit, "ui-key-fit"),
+        (key(Key::F8), Command::NextTheme, "ui-key-theme"),
+        (key(Key::F1), Command::Keys, "ui-help-keys"),
+        (key(Key::Escape), Command::Escape, "ui-key-escape"),
+    ]
+}
+
+/// The commands of the keys pressed since the last frame, taken from egui before it paints, so
+/// that the frame already shows what they did. A text field with focus keeps its keys, and a
+/// focused widget those that operate it.
+pub(crate) fn pressed(ctx: &Context, handles: &[Id]) -> Vec<Command> {
+    if ctx.text_edit_focused() || Popup::is_any_open(ctx) {
+        return Vec::new();
+    }
+    let focused = ctx.memory(|memory| memory.focused());
+    let handle = focused.is_some_and(|id| handles.contains(&id));
+    ctx.input_mut(|input| {
+        let mut commands = Vec::new();
+        for (shortcut, command, _) in all() {
+            let taken = match shortcut.logical_key {
+                Key::Space => focused.is_some(),
+                Key::ArrowLeft | Key::ArrowRight => handle,
+                _ => false,
+            };
+            if !taken && input.consume_shortcut(&shortcut) {
+                commands.push(command);
+            }
+        }
+        commands
+    })
+}
+
+/// Keeps the arrow keys from moving the focus: left and right step, and on a handle all four move
+/// it. Tab moves the focus.
+pub(crate) fn keep_arrows(ctx: &Context) {
+    let popup = Popup::is_any_open(ctx);
+    ctx.memory_mut(|memory| {
+        if !popup
+            && let Some(id) = memory.focused()
+        {
+            let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
+            memory.set_focus_lock_filter(id, filter);
+        }
+    });
+}
+
+/// Shows all keys over the canvas.
+pub(crate) fn overlay(ui: &Ui, face: &Face<'_>) {
+    let centre = ui.ctx().content_rect().center();
+    let area = Window::new(face.say("ui-help-keys"))
+        .collapsible(false)
+        .resizable(false)
+        .pivot(Align2::CENTER_CENTER)
+        .fixed_pos(centre);
+    area.show(ui.ctx(), |ui| {
+        Grid::new("keys").num_columns(2).spacing([24.0, 6.0]).show(ui, |ui| {
+            for (shortcut, _, name) in all() {
+                let keys = ui.ctx().format_shortcut(&shortcut);
+                let keys = match shortcut.logical_key {
+                    Key::ArrowLeft => "←".to_owned(),
+                    Key::ArrowRight => "→".to_owned(),
+                    _ => keys,
+                };
+                ui.label(face.rich(keys, Text::MonoStrong));
+                ui.label(face.rich(face.say(name), Text::Label));
+                ui.end_row();
+            }
+            for (keys, name) in [("Tab", "ui-key-tab"), ("← → ↑ ↓", "ui-key-arrows"), ("Alt", "ui-key-alt")] {
+                ui.label(face.rich(keys, Text::MonoStrong));
+                ui.label(face.rich(face.say(name), Text::Label));
+                ui.end_row();
+            }
+        });
+        ui.add_space(8.0);
+        if ui.button(face.say("ui-close")).clicked() {
+            face.ask(Command::Keys);
+        }
+    });
+}

@@ -1,0 +1,38 @@
+//! The shell: everything round the canvas that all labs share.
+
+pub(crate) mod canvas;
+pub(crate) mod choices;
+pub(crate) mod inspector;
+pub(crate) mod keys;
+pub(crate) mod menu;
+pub(crate) mod notice;
+pub(crate) mod ribbon;
+pub(crate) mod timeline;
+
+use crate::presets::PresetInfo;
+use rasterscope_figure::theme::ThemeName;
+
+/// Windows narrower than this fold: choices into a drawer, the ribbon into a path.
+pub(crate) const NARROW: f32 = 1150.0;
+
+/// What the panels of one frame have in common.
+#[derive(Debug)]
+pub(crate) struct Frame<'a> {
+    pub(crate) theme: ThemeName,
+    pub(crate) can_undo: bool,
+    pub(crate) can_redo: bool,
+    pub(crate) narrow: bool,
+    /// What is open.
+    pub(crate) title: String,
+    /// On what.
+    pub(crate) subtitle: String,
+    /// One sentence about it.
+    pub(crate) about: String,
+    /// The open lab's name.
+    pub(crate) lab: &'static str,
+    /// The preset that was opened, until something is edited.
+    pub(crate) preset: Option<&'static str>,
+    pub(crate) presets: &'a [PresetInfo],
+    /// Why nothing runs.
+    pub(crate) problem: Option<String>,
+}

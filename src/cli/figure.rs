@@ -44,7 +44,7 @@ pub struct FigureOptions {
 /// Draws a step and writes it whole or not at all.
 pub fn figure(options: &FigureOptions) -> Result<(), Failure> {
     check_name(&options.lab)?;
-    let ending = options.output.extension().map(|ending| ending.to_ascii_lowercase());
+    let ending = options.output.extension().map(std::ffi::OsStr::to_ascii_lowercase);
     let svg_wanted = match ending.as_deref().and_then(|ending| ending.to_str()) {
         Some("svg") => true,
         Some("png") => false,
@@ -61,8 +61,7 @@ pub fn figure(options: &FigureOptions) -> Result<(), Failure> {
     let mut run = labs::play(&scene, Budget::default()).map_err(|message| Failure::work(&message))?;
     run.seek(options.step.unwrap_or(usize::MAX));
     let figure = draw(&*run, options.size.map(|side| side as f32), options.theme.theme());
-    let bytes =
-        if svg_wanted { svg::svg(&figure).into_bytes() } else { png::png(&figure, PIXELS_PER_POINT) };
+    let bytes = if svg_wanted { svg::svg(&figure).into_bytes() } else { png::png(&figure, PIXELS_PER_POINT) };
     files::write(&options.output, &bytes)
 }
 

@@ -39,13 +39,13 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
     "labs"
     "scene"
-    "ui"
     "transform"
     "cohen-sutherland"
     "scanline"
     "z-buffer"
     "figure"
     "cli"
+    "ui"
 )];
 
 /// The words of one language.

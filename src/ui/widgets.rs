@@ -168,3 +168,10 @@ pub(crate) fn rule(ui: &Ui, rect: Rect, look: &Look) {
     let y = ui.painter().round_to_pixel_center(rect.bottom());
     ui.painter().hline(rect.x_range(), y, Stroke::new(1.0, look.line));
 }
+
+/// The sign of a combo: a chevron down.
+pub(crate) fn down(ui: &Ui, rect: Rect, visuals: &egui::style::WidgetVisuals, _open: bool) {
+    let at = rect.center();
+    let points = vec![at + vec2(-4.0, -2.0), at + vec2(0.0, 2.0), at + vec2(4.0, -2.0)];
+    ui.painter().add(Shape::line(points, Stroke::new(1.5, visuals.fg_stroke.color)));
+}

@@ -6,7 +6,7 @@ use crate::{
     paint,
     run::Shown,
     theme::Text,
-    widgets::{Icon, State, icon_button_at},
+    widgets::{Icon, State, down, icon_button_at},
 };
 use egui::{
     Align2, ComboBox, CursorIcon, Painter, Pos2, Rect, Role as Part, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
@@ -182,7 +182,7 @@ fn settings(ui: &mut Ui, face: &Face<'_>, rect: Rect, shown: Option<&Shown>, vie
                 Level::Detail => "ui-level-detail",
             };
             let text = face.rich(face.say(level(view.level)), Text::Label);
-            let combo = ComboBox::from_id_salt("level").width(94.0).selected_text(text).show_ui(ui, |ui| {
+            let combo = ComboBox::from_id_salt("level").width(94.0).icon(down).selected_text(text).show_ui(ui, |ui| {
                 for each in Level::ALL {
                     if ui.selectable_label(each == view.level, face.say(level(each))).clicked() {
                         face.ask(Command::Level(each));
@@ -192,7 +192,7 @@ fn settings(ui: &mut Ui, face: &Face<'_>, rect: Rect, shown: Option<&Shown>, vie
             name(&combo.response, &face.say("ui-timeline-level"));
             let say = |speed: f32| face.say_with("ui-timeline-per-second", "speed", speed);
             let text = face.rich(say(view.speed), Text::Label);
-            let combo = ComboBox::from_id_salt("speed").width(78.0).selected_text(text).show_ui(ui, |ui| {
+            let combo = ComboBox::from_id_salt("speed").width(78.0).icon(down).selected_text(text).show_ui(ui, |ui| {
                 for speed in SPEEDS {
                     if ui.selectable_label(speed == view.speed, say(speed)).clicked() {
                         face.ask(Command::Speed(speed));

@@ -68,6 +68,122 @@ fn lines_are_clipped_and_keep_the_outcodes_of_the_given_ends() {
     ]);
 }
 
+/// The two triangles of the square from (1.5, 1.5) to (7.5, 7.5), split on the diagonal.
+const HALVES: [&str; 2] = ["[[1.5,1.5],[7.5,1.5],[7.5,7.5]]", "[[1.5,1.5],[7.5,7.5],[1.5,7.5]]"];
+
+fn rows(options: &str, vertices: &str) -> Vec<[u64; 3]> {
+    let request = format!(r#"{{"op":"coverage","size":[10,10],"vertices":{vertices}{options}}}"#);
+    let answer = ask(request.as_bytes());
+    serde_json::from_value(answer["rows"].clone()).unwrap_or_else(|_| panic!("no rows: {answer}"))
+}
+
+#[test]
+fn the_acceptance_square_is_filled_as_its_rule_says() {
+    for algorithm in ["aabb", "scanline"] {
+        for (rule, once, twice) in [("top-left", 36, 0), ("inclusive", 42, 7), ("strict", 25, 0)] {
+            let options = format!(r#","algorithm":"{algorithm}","fill_rule":"{rule}""#);
+            let mut hits = [[0; 10]; 10];
+            for half in HALVES {
+                for [y, begin, end] in rows(&options, half) {
+                    (begin..end).for_each(|x| hits[y as usize][x as usize] += 1);
+                }
+            }
+            let count = |n: i32| hits.iter().flatten().filter(|&&hit| hit == n).count();
+            if rule == "strict" {
+                let inner = (2..7).flat_map(|y| (2..7).map(move |x| (x, y)));
+                let holes = inner.filter(|&(x, y): &(usize, usize)| hits[y][x] == 0).count();
+                assert_eq!((count(1) + holes, holes), (once, 5), "{algorithm} {rule}");
+            } else {
+                assert_eq!((count(1), count(2)), (once, twice), "{algorithm} {rule}");
+            }
+        }
+    }
+}
+
+#[test]
+fn coverage_leaves_out_empty_rows_and_has_none_without_area() {
+    check(&[
+        (r#"{"op":"coverage","size":[4,4],"vertices":[[0,0],[1,1],[2,2]]}"#, r#"{"rows":[]}"#),
+        (r#"{"op":"coverage","size":[4,4],"vertices":[[9,9],[9,12],[12,9]]}"#, r#"{"rows":[]}"#),
+        (
+            r#"{"op":"coverage","size":[4,2],"vertices":[[0,0.5],[4,0.5],[0,4]],"y_axis":"down"}"#,
+            r#"{"rows":[[0,0,4],[1,0,3]]}"#,
+        ),
+        (
+            r#"{"op":"coverage","size":[4,2],"vertices":[[0,0.5],[4,0.5],[0,4]],"y_axis":"up"}"#,
+            r#"{"rows":[[1,0,3]]}"#,
+        ),
+        (
+            r#"{"op":"coverage","size":[4,2],"vertices":[[-1e30,-1e30],[1e30,-1e30],[0,1e30]]}"#,
+            r#"{"rows":[[0,0,4],[1,0,4]]}"#,
+        ),
+    ]);
+    for arithmetic in ["f32", "f64", "fixed-8"] {
+        for half in HALVES {
+            let options = format!(r#","arithmetic":"{arithmetic}","algorithm":"scanline""#);
+            assert_eq!(rows(&options, half), rows("", half), "{arithmetic}");
+        }
+    }
+}
+
+#[test]
+fn depths_are_stored_as_the_format_says() {
+    let ask = |format: &str| {
+        ask(format!(
+            r#"{{"op":"depth","size":[2,1],"format":"{format}","vertices":[[0,0,0],[2,0,1],[0,2,0]]}}"#
+        )
+        .as_bytes())
+    };
+    assert_eq!(ask("f32"), json!({"pixels": [[0, 0, 0.25]]}));
+    assert_eq!(ask("unorm16"), json!({"pixels": [[0, 0, 16384.0 / 65535.0]]}));
+    assert_eq!(ask("unorm24"), json!({"pixels": [[0, 0, 4_194_304.0 / 16_777_215.0]]}));
+    assert_eq!(ask("unorm32"), json!({"pixels": [[0, 0, 1_073_741_824.0 / 4_294_967_295.0]]}));
+    check(&[
+        (r#"{"op":"depth","size":[4,4],"vertices":[[0,0,1],[1,1,1],[2,2,1]]}"#, r#"{"pixels":[]}"#),
+        (
+            r#"{"op":"depth","size":[1,1],"format":"unorm16","vertices":[[0,0,7],[2,0,7],[0,2,7]]}"#,
+            r#"{"pixels":[[0,0,1.0]]}"#,
+        ),
+    ]);
+}
+
+#[test]
+fn attributes_are_interpolated_where_there_is_an_inside() {
+    let ask = |more: &str, vertices: &str| {
+        ask(format!(r#"{{"op":"interpolate","attribute":[0,6,12],"vertices":{vertices}{more}}}"#).as_bytes())
+    };
+    let flat = "[[0,0,1],[4,0,1],[0,4,1]]";
+    let deep = "[[0,0,1],[4,0,2],[0,4,1]]";
+    assert_eq!(ask(r#","at":[2,0]"#, flat), json!({"value": 3.0}));
+    assert_eq!(ask(r#","at":[2,0]"#, deep), json!({"value": 2.0}));
+    assert_eq!(ask(r#","at":[2,0],"mode":"affine""#, deep), json!({"value": 3.0}));
+    for (at, vertices, code) in [
+        ("[9,9]", flat, "outside-triangle"),
+        ("[0,0]", "[[0,0,1],[1,1,1],[2,2,1]]", "zero-area"),
+        ("[1,1]", "[[0,0,0],[4,0,1],[0,4,1]]", "zero-w"),
+        ("[2,0]", "[[0,0,1],[4,0,-1],[0,4,1]]", "infinite"),
+    ] {
+        assert_eq!(ask(&format!(r#","at":{at}"#), vertices)["error"]["code"], code);
+    }
+}
+
+#[test]
+fn triangles_are_clipped_in_clip_space() {
+    check(&[
+        (
+            r#"{"op":"clip_triangle","space":"clip","vertices":[[0,0,0.5,1],[0.5,0,0.5,1],[0,0.5,0.5,1]]}"#,
+            r#"{"polygon":[[0.0,0.0,0.5,1.0],[0.5,0.0,0.5,1.0],[0.0,0.5,0.5,1.0]]}"#,
+        ),
+        (
+            r#"{"op":"clip_triangle","vertices":[[0,0,-0.5,1],[0.5,0,-0.5,1],[0,0.5,-0.5,1]]}"#,
+            r#"{"polygon":[]}"#,
+        ),
+    ]);
+    let behind = r#"{"op":"clip_triangle","depth_range":"minus-one-to-one",
+        "vertices":[[0,0,-0.5,1],[0.5,0,-0.5,1],[0,0.5,-0.5,1]]}"#;
+    assert_eq!(ask(behind.as_bytes())["polygon"].as_array().map(Vec::len), Some(3));
+}
+
 #[test]
 fn numbers_are_rounded_to_binary32_on_the_way_in_and_kept_on_the_way_out() {
     let mut random = Random::new(1);
@@ -123,6 +239,24 @@ fn each_kind_of_bad_input_has_its_code() {
             r#"{"op":"clip_line","window":[0,0,1,1],"segment":[-3e38,-3e38,3e38,3e38],"arithmetic":"f32"}"#,
             "overflow",
         ),
+        (r#"{"op":"coverage","vertices":[[0,0],[1,0],[0,1]]}"#, "missing-field"),
+        (r#"{"op":"coverage","size":[0,1],"vertices":[[0,0],[1,0],[0,1]]}"#, "bad-size"),
+        (r#"{"op":"coverage","size":[1,16385],"vertices":[[0,0],[1,0],[0,1]]}"#, "bad-size"),
+        (r#"{"op":"coverage","size":[1,1.5],"vertices":[[0,0],[1,0],[0,1]]}"#, "bad-size"),
+        (r#"{"op":"coverage","size":[1,-1],"vertices":[[0,0],[1,0],[0,1]]}"#, "bad-size"),
+        (r#"{"op":"coverage","size":[1e300,1],"vertices":[[0,0],[1,0],[0,1]]}"#, "bad-size"),
+        (r#"{"op":"coverage","size":[1,1],"vertices":[[0,0],[1,0]]}"#, "bad-field"),
+        (r#"{"op":"coverage","size":[1,1],"vertices":[[0,0],[1,0],[0,1,2]]}"#, "bad-field"),
+        (r#"{"op":"coverage","size":[1,1],"algorithm":"backtracking"}"#, "unsupported"),
+        (r#"{"op":"coverage","size":[1,1],"algorithm":"homogeneous"}"#, "unsupported"),
+        (r#"{"op":"coverage","size":[1,1],"algorithm":"cohen-sutherland"}"#, "unknown-algorithm"),
+        (r#"{"op":"coverage","size":[1,1],"fill_rule":"left"}"#, "unknown-fill-rule"),
+        (r#"{"op":"coverage","size":[1,1],"y_axis":"left"}"#, "unknown-y-axis"),
+        (r#"{"op":"depth","size":[1,1],"format":"f16"}"#, "unknown-format"),
+        (r#"{"op":"interpolate","mode":"cubic"}"#, "unknown-mode"),
+        (r#"{"op":"clip_triangle","depth_range":"none"}"#, "unknown-depth-range"),
+        (r#"{"op":"clip_triangle","space":"moon"}"#, "unknown-space"),
+        (r#"{"op":"clip_triangle","arithmetic":"f32"}"#, "unsupported"),
     ]);
     assert_eq!(refused(b"{\"op\":\"\xFF\"}"), "not-utf8");
     for nest in ["[", "{\"a\":"] {
@@ -179,7 +313,13 @@ fn without_lines_the_whole_input_is_one_request() {
 #[test]
 fn garbage_never_costs_more_than_one_error_object() {
     let mut random = Random::new(7);
-    let seeds = [LINE];
+    let seeds = [
+        LINE,
+        r#"{"op":"coverage","size":[9,9],"fill_rule":"strict","vertices":[[0,0],[9,2],[1,8]]}"#,
+        r#"{"op":"depth","size":[9,9],"format":"unorm24","vertices":[[0,0,0],[9,2,1],[1,8,0]]}"#,
+        r#"{"op":"interpolate","vertices":[[0,0,1],[9,2,2],[1,8,3]],"attribute":[0,1,2],"at":[2,3]}"#,
+        r#"{"op":"clip_triangle","vertices":[[0,0,0,1],[9,2,1,2],[1,8,0,3]]}"#,
+    ];
     for _ in 0..1000 {
         let mut line = random.pick(&seeds).as_bytes().to_vec();
         for _ in 0..=random.below(6) {
@@ -196,6 +336,7 @@ fn garbage_never_costs_more_than_one_error_object() {
             }
         }
         let answer = ask(&line);
-        assert!(answer.get("error").is_some() || answer.get("visible").is_some());
+        let known = ["error", "visible", "rows", "pixels", "value", "polygon"];
+        assert!(known.iter().any(|field| answer.get(field).is_some()), "{answer}");
     }
 }

@@ -11,3 +11,9 @@ pub(crate) static WORDS: LazyLock<Words> = LazyLock::new(Words::default);
 pub(crate) fn say(message: &Message) -> String {
     WORDS.message(message)
 }
+
+/// The word or sentence whose id is made of a name; empty if there is none.
+pub(crate) fn of(id: &str) -> String {
+    let known = WORDS.ids().into_iter().find(|(_, known)| *known == id);
+    known.map_or_else(String::new, |(_, id)| WORDS.word(id))
+}

@@ -5,6 +5,7 @@
 use crate::{
     clip::line::{Window, cohen_sutherland},
     message::{Message, Value},
+    raster::{self, scanline},
     replay::{Budget, Playback},
     scene::{LabInput, Scene},
 };
@@ -120,6 +121,18 @@ pub fn play(scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message>
             let segment = [[*x1, *y1], [*x2, *y2]];
             Ok(Box::new(cohen_sutherland::play(segment, window, *arithmetic, budget)))
         }
+        LabInput::Scanline { vertices: Some(vertices), .. } => {
+            Ok(Box::new(scanline::play(*vertices, scan_settings(scene), budget)))
+        }
         other => Err(Message::new("error-nothing-to-step").with("lab", Value::text(other.name()))),
+    }
+}
+
+/// The scene's conventions of scan conversion.
+fn scan_settings(scene: &Scene) -> raster::Settings {
+    raster::Settings {
+        fill_rule: scene.fill_rule,
+        y_axis: scene.y_axis,
+        ..raster::Settings::new(scene.size)
     }
 }

@@ -33,3 +33,5 @@ pub mod depth;
 pub mod stencil;
 
 pub mod blend;
+
+pub mod pipeline;

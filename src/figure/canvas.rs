@@ -4,7 +4,7 @@ use rasterscope_core::explain::Role;
 
 use crate::{
     figure::{Figure, Font, Shape, Stroke},
-    geometry::{Rect, distance, edges, hatch, mix},
+    geometry::{Rect, distance, edges, hatch},
     placement::Placement,
     text,
     theme::{Color, Theme, ThemeName},
@@ -118,9 +118,7 @@ impl<'a> Canvas<'a> {
         let visible = self.rect;
         let lines = if role == Role::Active { &mut self.active_lines } else { &mut self.lines };
         for ends in segments(points, closed) {
-            if let Some([enter, leave]) = visible.clip(ends) {
-                lines.push([mix(ends[0], ends[1], enter), mix(ends[0], ends[1], leave)]);
-            }
+            lines.extend(visible.clip(ends));
         }
     }
 
@@ -137,16 +135,14 @@ impl<'a> Canvas<'a> {
         let period: f64 = stroke.dash.iter().copied().map(f64::from).sum();
         let mut walked = 0.0;
         for ends in segments(points, closed) {
-            let length = distance(ends[0], ends[1]);
-            if let Some([enter, leave]) = bounds.clip(ends) {
-                let from_start = walked + enter * length;
+            if let Some(visible) = bounds.clip(ends) {
+                let from_start = walked + distance(ends[0], visible[0]);
                 let phase = if period > 0.0 { from_start.rem_euclid(period) as f32 } else { 0.0 };
-                let points = [enter, leave].map(|t| narrow(mix(ends[0], ends[1], t)));
-                let phase = if phase.is_finite() { phase } else { 0.0 };
-                let stroke = Stroke { phase, ..stroke };
-                self.push(layer, Shape::Line { points: points.to_vec(), closed: false, stroke });
+                let stroke = Stroke { phase: if phase.is_finite() { phase } else { 0.0 }, ..stroke };
+                let points = visible.map(narrow).to_vec();
+                self.push(layer, Shape::Line { points, closed: false, stroke });
             }
-            walked += length;
+            walked += distance(ends[0], ends[1]);
         }
     }
 

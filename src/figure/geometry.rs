@@ -58,24 +58,17 @@ impl Rect {
         (0..2).all(|axis| self.min[axis] < other.max[axis] && other.min[axis] < self.max[axis])
     }
 
-    /// The part of the segment `ends` inside, as the parameters of its ends in `0..=1`.
-    ///
-    /// *Source:* Liang and Barsky 1984.
-    pub fn clip(self, ends: [[f64; 2]; 2]) -> Option<[f64; 2]> {
-        let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-        for axis in 0..2 {
-            let (from, along) = (ends[0][axis], ends[1][axis] - ends[0][axis]);
-            if along == 0.0 {
-                if from < self.min[axis] || from > self.max[axis] {
-                    return None;
-                }
-                continue;
+    /// The part of the segment `ends` inside; well-conditioned however far the ends are off.
+    pub fn clip(self, mut ends: [[f64; 2]; 2]) -> Option<[[f64; 2]; 2]> {
+        for (axis, border, sign) in self.borders() {
+            let outside = ends.map(|p| sign * (p[axis] - border) < 0.0);
+            match outside {
+                [true, true] => return None,
+                [false, false] => {}
+                _ => ends[usize::from(outside[1])] = crossing(ends, axis, border),
             }
-            let (a, b) = ((self.min[axis] - from) / along, (self.max[axis] - from) / along);
-            enter = enter.max(a.min(b));
-            leave = leave.min(a.max(b));
         }
-        (enter <= leave).then_some([enter, leave])
+        Some(ends)
     }
 
     /// The part of a polygon inside; bridging edges of a concave one run along the border.
@@ -83,17 +76,13 @@ impl Rect {
     /// *Source:* Sutherland and Hodgman 1974.
     pub fn clip_polygon(self, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let mut points = points.to_vec();
-        for (axis, border, sign) in
-            [(0, self.min[0], 1.0), (0, self.max[0], -1.0), (1, self.min[1], 1.0), (1, self.max[1], -1.0)]
-        {
+        for (axis, border, sign) in self.borders() {
             let inside = |p: [f64; 2]| sign * (p[axis] - border) >= 0.0;
             let mut kept = Vec::with_capacity(points.len() + 4);
             for (i, &to) in points.iter().enumerate() {
                 let from = points[(i + points.len() - 1) % points.len()];
                 if inside(from) != inside(to) {
-                    let mut cut = mix(from, to, (border - from[axis]) / (to[axis] - from[axis]));
-                    cut[axis] = border;
-                    kept.push(cut);
+                    kept.push(crossing([from, to], axis, border));
                 }
                 if inside(to) {
                     kept.push(to);
@@ -103,6 +92,21 @@ impl Rect {
         }
         points
     }
+
+    /// Axis, coordinate, and the sign of the inward direction.
+    fn borders(self) -> [(usize, f64, f64); 4] {
+        [(0, self.min[0], 1.0), (0, self.max[0], -1.0), (1, self.min[1], 1.0), (1, self.max[1], -1.0)]
+    }
+}
+
+/// Where a segment whose ends lie on both sides of a border crosses it.
+fn crossing([a, b]: [[f64; 2]; 2], axis: usize, border: f64) -> [f64; 2] {
+    // Both weights have one sign, so the sum cannot cancel more than the ends themselves.
+    let (to_a, to_b) = (border - a[axis], b[axis] - border);
+    let other = 1 - axis;
+    let mut point = [border; 2];
+    point[other] = (a[other] * to_b + b[other] * to_a) / (to_a + to_b);
+    point
 }
 
 /// The point at `t` between `a` (0) and `b` (1).
@@ -219,10 +223,11 @@ mod tests {
 
     #[test]
     fn segments_are_clipped_however_far_they_reach() {
-        assert_eq!(UNIT.clip([[-1e30, 5.0], [1e30, 5.0]]).map(|[a, b]| a < b), Some(true));
-        assert_eq!(UNIT.clip([[-5.0, 5.0], [15.0, 5.0]]), Some([0.25, 0.75]));
+        assert_eq!(UNIT.clip([[-1e30, 5.0], [1e30, 5.0]]), Some([[0.0, 5.0], [10.0, 5.0]]));
+        assert_eq!(UNIT.clip([[-5.0, 0.0], [15.0, 20.0]]), Some([[0.0, 5.0], [5.0, 10.0]]));
         assert_eq!(UNIT.clip([[-5.0, 20.0], [15.0, 20.0]]), None);
-        assert_eq!(UNIT.clip([[5.0, 5.0], [5.0, 5.0]]), Some([0.0, 1.0]));
+        assert_eq!(UNIT.clip([[-5.0, 6.0], [6.0, 17.0]]), None);
+        assert_eq!(UNIT.clip([[5.0, 5.0], [5.0, 5.0]]), Some([[5.0, 5.0]; 2]));
     }
 
     #[test]

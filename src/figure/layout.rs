@@ -13,7 +13,7 @@ use crate::{
     canvas::{Canvas, Layer, TextStyle, narrow},
     cells::{self, Cells},
     figure::{Figure, Font, Shape, Stroke},
-    geometry::{Rect, centroid},
+    geometry::{Rect, centroid, distance, mix},
     grid,
     labels::{self, Anchor, Wish},
     markers,
@@ -99,10 +99,9 @@ fn point(canvas: &mut Canvas<'_>, at: [f32; 2], role: Role) -> Option<Anchor> {
 fn segment(canvas: &mut Canvas<'_>, ends: [[f32; 2]; 2], role: Role) -> Option<Anchor> {
     let ends = [canvas.points(ends[0])?, canvas.points(ends[1])?];
     canvas.role_line(&ends, false, role);
-    let [enter, leave] = canvas.rect.clip(ends)?;
-    let visible = [enter, leave].map(|t| crate::geometry::mix(ends[0], ends[1], t));
-    if role == Role::Rejected && crate::geometry::distance(visible[0], visible[1]) > 48.0 {
-        let middle = crate::geometry::mix(visible[0], visible[1], 0.5);
+    let visible = canvas.rect.clip(ends)?;
+    if role == Role::Rejected && distance(visible[0], visible[1]) > 48.0 {
+        let middle = mix(visible[0], visible[1], 0.5);
         let style = canvas.theme.style(role);
         let radius = 7.0 + canvas.theme.extra_stroke;
         let cross = markers::marker(style.marker, narrow(middle), radius, style.color, canvas.theme.canvas);

@@ -38,11 +38,14 @@ macro_rules! language {
 pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
     "labs"
-    "figure"
+    "scene"
     "ui"
-    "cli"
-    "cohen-sutherland"
     "transform"
+    "cohen-sutherland"
+    "scanline"
+    "z-buffer"
+    "figure"
+    "cli"
 )];
 
 /// The words of one language.

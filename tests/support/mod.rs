@@ -3,7 +3,9 @@
 mod golden;
 mod laws;
 mod random;
+mod triangles;
 
 pub(crate) use golden::{check_golden, log_text};
 pub(crate) use laws::{Coverage, check_laws};
 pub(crate) use random::Random;
+pub(crate) use triangles::{areas, covered, plane_value, triangle};

@@ -31,3 +31,4 @@ error-empty-window = { $field } must be [xmin, ymin, xmax, ymax] with no minimum
 error-unknown-name = { $field } cannot be { $name }. Known: { $known }.
 error-unsupported = { $field } { $name } is not there yet; it comes in a later version.
 error-overflow = In { $arithmetic } arithmetic the result is no finite number. Use exact.
+error-request-without-steps = A { $op } request has no steps to go through.

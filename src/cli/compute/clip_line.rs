@@ -4,13 +4,13 @@ use rasterscope_core::{
     clip::line::{Algorithm, Outcode, Segment, Window, cohen_sutherland},
     math::{Arithmetic, Tally},
     message::Message,
-    scene::LabInput,
+    scene::{LabInput, Scene},
     trace::NoTrace,
 };
 use serde::Serialize;
 
 use super::{
-    Request,
+    Request, lab_scene,
     refusal::{Refusal, text},
     wide,
 };
@@ -67,10 +67,10 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
     })
 }
 
-/// The same request as the input of a lab.
-pub(super) fn lab(request: &Request) -> Result<LabInput, Refusal> {
+/// The same request as a scene that opens a lab.
+pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
     let input = Input::read(request)?;
     input.window()?;
     let Input { window, segment, arithmetic } = input;
-    Ok(LabInput::CohenSutherland { window, segment, arithmetic })
+    Ok(lab_scene([64, 64], LabInput::CohenSutherland { window, segment, arithmetic }))
 }

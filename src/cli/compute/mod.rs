@@ -17,9 +17,15 @@
 //! | `bad-size` | asks for a side outside 1..=16384 or for more than 2^28 pixels |
 //! | `unknown-op`, `unknown-algorithm`, `unknown-arithmetic`, ... | has a name that nobody knows |
 //! | `unsupported` | has a name of the interface that this version does not know yet |
+//! | `zero-area`, `outside-triangle`, `zero-w`, `infinite` | asks for an attribute where there is none |
+//! | `no-lab` | cannot be stepped (`trace` and `figure` only) |
 //! | `overflow` | has no finite answer in the chosen arithmetic |
 
 mod clip_line;
+mod clip_triangle;
+mod coverage;
+mod depth;
+mod interpolate;
 mod lines;
 mod refusal;
 mod request;
@@ -28,7 +34,7 @@ pub use lines::MOST_BYTES;
 pub(crate) use refusal::Refusal;
 pub(crate) use request::Request;
 
-use rasterscope_core::scene::LabInput;
+use rasterscope_core::scene::{Lab, LabInput, Scene};
 use serde::Serialize;
 use std::io::{self, BufRead, Write};
 
@@ -39,10 +45,15 @@ use refusal::ErrorObject;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Op {
     ClipLine,
+    ClipTriangle,
+    Coverage,
+    Depth,
+    Interpolate,
 }
 
 impl Op {
-    const ALL: [Self; 1] = [Self::ClipLine];
+    const ALL: [Self; 5] =
+        [Self::ClipLine, Self::ClipTriangle, Self::Coverage, Self::Depth, Self::Interpolate];
 
     /// Operations of the interface that come in a later version.
     const LATER: [&'static str; 1] = ["clip_polygon"];
@@ -50,6 +61,10 @@ impl Op {
     fn name(self) -> &'static str {
         match self {
             Self::ClipLine => "clip_line",
+            Self::ClipTriangle => "clip_triangle",
+            Self::Coverage => "coverage",
+            Self::Depth => "depth",
+            Self::Interpolate => "interpolate",
         }
     }
 
@@ -96,19 +111,35 @@ pub fn answer(request: &[u8], output: &mut dyn Write) -> io::Result<()> {
 #[serde(untagged)]
 enum Answer {
     ClipLine(clip_line::Answer),
+    ClipTriangle(clip_triangle::Answer),
+    Coverage(coverage::Answer),
+    Depth(depth::Answer),
+    Interpolate(interpolate::Answer),
 }
 
 fn dispatch(request: &Request) -> Result<Answer, Refusal> {
     match Op::of(request)? {
         Op::ClipLine => clip_line::answer(request).map(Answer::ClipLine),
+        Op::ClipTriangle => clip_triangle::answer(request).map(Answer::ClipTriangle),
+        Op::Coverage => coverage::answer(request).map(Answer::Coverage),
+        Op::Depth => depth::answer(request).map(Answer::Depth),
+        Op::Interpolate => interpolate::answer(request).map(Answer::Interpolate),
     }
 }
 
-/// The run that a request describes, as the input of a lab.
-pub(crate) fn lab_input(request: &Request) -> Result<LabInput, Refusal> {
+/// The scene that opens the lab for what a request describes.
+pub(crate) fn lab(request: &Request) -> Result<Scene, Refusal> {
     match Op::of(request)? {
         Op::ClipLine => clip_line::lab(request),
+        Op::Coverage => coverage::lab(request),
+        Op::Depth => depth::lab(request),
+        op @ (Op::ClipTriangle | Op::Interpolate) => Err(Refusal::no_lab(op.name())),
     }
+}
+
+/// A scene without triangles that opens a lab at its end.
+fn lab_scene(size: [u32; 2], input: LabInput) -> Scene {
+    Scene { lab: Some(Lab { step: None, input }), ..Scene::empty(size) }
 }
 
 fn write_line(answer: &impl Serialize, output: &mut dyn Write) -> io::Result<()> {

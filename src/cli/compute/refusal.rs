@@ -25,6 +25,11 @@ impl Refusal {
         Self::new("unsupported", message.with("field", text(field)).with("name", text(name)))
     }
 
+    /// An operation without steps.
+    pub(super) fn no_lab(op: &str) -> Self {
+        Self::new("no-lab", Message::new("error-request-without-steps").with("op", text(op)))
+    }
+
     /// The answer in rounded arithmetic is no finite number.
     pub(crate) fn overflow(arithmetic: rasterscope_core::math::Arithmetic) -> Self {
         let message = Message::new("error-overflow").with("arithmetic", text(arithmetic.name()));

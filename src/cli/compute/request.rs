@@ -152,7 +152,7 @@ impl<'a> Field<'a> {
 }
 
 /// The start of a user's text: enough to recognise it in a sentence.
-fn shortened(name: &str) -> String {
+pub(super) fn shortened(name: &str) -> String {
     const MOST: usize = 40;
     match name.char_indices().nth(MOST) {
         Some((end, _)) => format!("{}…", &name[..end]),

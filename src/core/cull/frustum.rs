@@ -91,9 +91,8 @@ mod tests {
         let image = bounds.through(&matrix);
         for [x, y, z] in points {
             let point = apply(&matrix, [x, y, z, 1.0]);
-            for axis in 0..4 {
-                assert!((image.min[axis]..=image.max[axis]).contains(&point[axis]));
-            }
+            let ends = image.min.into_iter().zip(image.max);
+            assert!(point.iter().zip(ends).all(|(value, (min, max))| (min..=max).contains(value)));
         }
     }
 }

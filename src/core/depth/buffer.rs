@@ -31,6 +31,11 @@ impl DepthBuffer {
         &self.codes
     }
 
+    /// Puts one code into a range of [`codes`](Self::codes).
+    pub fn fill(&mut self, range: std::ops::Range<usize>, code: u32) {
+        self.codes[range].fill(code);
+    }
+
     /// The stored code of a pixel of the buffer.
     #[inline]
     pub fn code(&self, [x, y]: [u32; 2]) -> u32 {
@@ -56,8 +61,15 @@ impl DepthBuffer {
         passes
     }
 
+    /// Stores a code, whatever is there.
+    pub(super) fn set(&mut self, pixel: [u32; 2], code: u32) {
+        let index = self.index(pixel);
+        self.codes[index] = code;
+    }
+
+    /// Where a pixel stands in [`codes`](Self::codes).
     #[inline]
-    fn index(&self, [x, y]: [u32; 2]) -> usize {
+    pub(super) fn index(&self, [x, y]: [u32; 2]) -> usize {
         y as usize * self.size[0] as usize + x as usize
     }
 }

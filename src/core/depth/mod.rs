@@ -5,6 +5,7 @@
 
 mod buffer;
 mod plane;
+pub mod z_buffer;
 
 pub use buffer::DepthBuffer;
 pub use plane::DepthPlane;

@@ -132,8 +132,9 @@ impl Weights<'_> {
         sum.sign()
     }
 
+    /// The value nearly.
     #[inline]
-    fn approx(&self, [a0, a1, a2]: [f32; 3]) -> Approx {
+    pub(crate) fn approx(&self, [a0, a1, a2]: [f32; 3]) -> Approx {
         let greatest = f64::from(a0.abs().max(a1.abs()).max(a2.abs()));
         let [w0, w1, w2] = self.weights;
         let value = (w0 * f64::from(a0) + w1 * f64::from(a1) + w2 * f64::from(a2)) * self.inverse;
@@ -142,7 +143,7 @@ impl Weights<'_> {
 
     /// Weighted sum and sum of weights, without a rounding.
     #[cold]
-    fn exact(&self, attribute: [f32; 3]) -> (Dyadic, Dyadic) {
+    pub(crate) fn exact(&self, attribute: [f32; 3]) -> (Dyadic, Dyadic) {
         let (mut weighted, mut sum) = (Dyadic::zero(), Dyadic::zero());
         for ((&[a, b], factor), value) in self.triangle.edges.iter().zip(self.triangle.factors).zip(attribute)
         {

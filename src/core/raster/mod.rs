@@ -8,6 +8,7 @@
 pub mod aabb;
 pub(crate) mod edge;
 pub mod scanline;
+pub(crate) mod view;
 
 pub use edge::{Edge, Edges};
 

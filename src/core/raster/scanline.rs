@@ -6,10 +6,15 @@
 //! exact sign of the edge decides.
 
 mod bounds;
+mod explain;
+mod formulas;
+
+pub use explain::Snapshot;
 
 use super::{Counts, Edges, FillRule, Settings, Span, YAxis, first_centre};
 use crate::{
     math::{Arithmetic, Real, Tally},
+    replay::{Budget, Player},
     trace::{NoTrace, Tracer},
 };
 use bounds::Bound;
@@ -104,6 +109,8 @@ pub enum Event {
     },
     /// A centre lies exactly on an edge: the fill rule decided.
     Tie {
+        /// Which end of the span the edge makes.
+        side: Side,
         /// The edge.
         edge: Between,
         /// The column.
@@ -141,7 +148,14 @@ pub fn fill(
     fill_traced(vertices, settings, tally, &mut NoTrace, emit)
 }
 
-/// The algorithm: [`fill`] is this without a tracer.
+/// [`fill`] as a run that can be scrubbed.
+pub fn play(vertices: [[f32; 2]; 3], settings: Settings, budget: Budget) -> Player<Snapshot> {
+    Player::new(Snapshot::new(vertices, settings), budget, move |t| {
+        fill_traced(vertices, &settings, &mut Tally::default(), t, &mut |_| {});
+    })
+}
+
+/// The algorithm: [`fill`] and [`play`] are this with two tracers.
 ///
 /// `F32` and `F64` compute as the lecture prints it, adding the slope from row to row: drifting
 /// ends and lost ties are what they are for.
@@ -177,7 +191,8 @@ fn scan<R: Real, T: Tracer<Event>>(
     };
     let slopes = Between::ALL.map(|edge| {
         let [[x0, y0], [x1, y1]] = edge.ends().map(|end| sorted[end].map(R::from_f32));
-        let slope = (x1 - x0) / (y1 - y0);
+        // Adding zero turns -0 into 0.
+        let slope = (x1 - x0) / (y1 - y0) + R::ZERO;
         if y0 != y1 {
             t.emit(|| Event::Slope { edge, dx_dy: slope.to_f64() });
         }

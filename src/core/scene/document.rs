@@ -71,6 +71,8 @@ impl Scene {
 }
 
 /// What colour, depth and stencil hold before the first draw.
+///
+/// The default colour is transparent black, as in WebGPU: the canvas shows where nothing is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Clear {
@@ -84,7 +86,7 @@ pub struct Clear {
 
 impl Default for Clear {
     fn default() -> Self {
-        Self { color: [0.0, 0.0, 0.0, 1.0], depth: 1.0, stencil: 0 }
+        Self { color: [0.0; 4], depth: 1.0, stencil: 0 }
     }
 }
 

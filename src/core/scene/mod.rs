@@ -4,8 +4,24 @@
 //! names the path of the bad field; what no single field can tell is checked last. Models are OBJ
 //! files. Reading files is the caller's: it hands over bytes.
 
+mod assets;
 mod document;
+mod error;
+mod file;
+mod fit;
+mod layout;
+mod obj;
+mod path;
+mod read;
+mod validate;
+mod wire;
 
+pub use assets::{MODELS, PRESETS, Preset, model, preset};
 pub use document::{
     Clear, DEFAULT_COLOR, Draw, Geometry, Lab, LabInput, Mesh, Scene, Shade, Texture, Transform,
 };
+pub use error::{Kind, Problem, SceneError};
+pub use file::MAX_SCENE_BYTES;
+pub use fit::{MODEL_SIZE, scene_from_obj};
+pub use obj::{ObjError, ObjProblem};
+pub use validate::{MAX_PIXELS, MAX_SIDE};

@@ -154,7 +154,7 @@ fn product<T: Tracer<Event>>(chain: &Chain, to: Space, v: [f32; 4], vertex: u16,
     t.emit(|| Event::Matrix { vertex, to });
     let matrix = chain.matrix(to).unwrap_or(&matrices::IDENTITY);
     let mut out = [0.0; 4];
-    for (row, value) in (0..4).zip(&mut out) {
+    for (row, value) in (0..4_u8).zip(&mut out) {
         *value = row_times(matrix, usize::from(row), v);
         t.emit(|| Event::Component { vertex, to, row, value: *value });
     }
@@ -165,7 +165,7 @@ fn product<T: Tracer<Event>>(chain: &Chain, to: Space, v: [f32; 4], vertex: u16,
 /// Reports a vertex in the space it has come to.
 fn report<T: Tracer<Event>>(to: Space, v: [f32; 4], vertex: u16, t: &mut T) {
     if T::ENABLED {
-        for (row, value) in (0..4).zip(v) {
+        for (row, value) in (0..4_u8).zip(v) {
             t.emit(|| Event::Component { vertex, to, row, value });
         }
         t.emit(|| Event::Reached { vertex, space: to });

@@ -46,7 +46,7 @@ impl<R: Real> Bound<R> {
         t.emit(|| Event::End { side, x: end, corrected: end != guess });
         if let Some(x) = tie {
             let drawn = self.edge.draws_ties;
-            t.emit(|| Event::Tie { edge: name, x, drawn });
+            t.emit(|| Event::Tie { side, edge: name, x, drawn });
         }
         end
     }

@@ -1,0 +1,197 @@
+# Scene files, models and presets.
+
+## A scene file that cannot be used. $path is the field, such as draws[2].vertices[0][1].
+
+error-scene-empty = The file is empty. A scene is a JSON object; the smallest one is {"{"}"rasterscope": 1, "size": [36, 24], "draws": []{"}"}.
+error-scene-not-text = Line { $line } is not text, so this is no scene file. A scene is JSON in UTF-8; a model is an OBJ file.
+error-scene-too-large = The file has { $bytes } bytes; a scene has at most { $limit }. Put large meshes into an OBJ file and name it as "model".
+error-scene-json = Line { $line }, column { $column }: this is not JSON ({ $what }). Correct it there.
+error-scene-json-ends = The file ends in the middle, at line { $line }, column { $column }. It may have been cut off: save it again or close what is open.
+
+error-scene-kind = { $path }: { $wanted } is expected here, not { $found }.
+error-scene-kind-null = nothing (null)
+error-scene-kind-bool = true or false
+error-scene-kind-number = a number
+error-scene-kind-whole-number = a whole number
+error-scene-kind-text = a text in quotes
+error-scene-kind-list = a list
+error-scene-kind-object = an object
+error-scene-length = { $path }: the list must have { $wanted } items; it has { $found }.
+error-scene-missing = { $path }: this field is missing. Add it.
+error-scene-unknown-field = { $path }: this field does not belong here. The fields here are: { $known }.
+error-scene-unknown-name = { $path }: "{ $name }" is unknown. Use one of: { $known }.
+error-scene-both = { $path }: this field and "{ $other }" exclude each other. Remove one of them.
+error-scene-not-a-scene = This JSON is no scene: it must be an object with "rasterscope": 1.
+error-scene-newer = { $path }: the scene has version { $version }, made by a newer Rasterscope. This one reads versions up to { $known }.
+error-scene-not-finite = { $path }: the number must be finite as a 32-bit float, at most about 3.4e38.
+error-scene-range = { $path }: the number must be from { $min } to { $max }.
+error-scene-not-positive = { $path }: the number must be more than 0.
+error-scene-field-of-view = { $path }: the angle must be more than 0 and less than 180 degrees.
+error-scene-far-before-near = { $path }: the far plane must lie beyond the near plane.
+error-scene-eye-is-target = { $path }: the camera looks at its own place. Move the target or the eye.
+error-scene-up-parallel = { $path }: "up" must not be zero or parallel to the line of sight.
+error-scene-too-many-pixels = { $path }: the image has too many pixels; at most { $limit } are possible.
+error-scene-samples = { $path }: only 1 sample in each pixel is possible so far.
+error-scene-not-triples = { $path }: without indices every three vertices are a triangle, but { $found } is no multiple of 3.
+error-scene-no-such-vertex = { $path }: there is no vertex { $index }; the { $vertices } vertices count from 0.
+error-scene-not-one-each = { $path }: there must be one for each of the { $vertices } vertices, not { $found }.
+error-scene-no-texture-coordinates = { $path }: a texture needs texture coordinates, and this mesh has none. Add "uvs" or remove the texture.
+error-scene-window-reversed = { $path }: the window is [xmin, ymin, xmax, ymax], and no minimum may exceed its maximum.
+error-scene-other = { $path }: this value cannot be used ({ $what }).
+error-scene-unreadable = { $path }: the model { $file } cannot be read ({ $reason }). Put it beside the scene or name a model that comes with the program.
+
+## An OBJ file that cannot be used. $word is as written in the file.
+
+error-obj-empty = { $file }: the file is empty.
+error-obj-binary = { $file }, line { $line }: this is a binary file, not OBJ. Export the model as Wavefront OBJ.
+error-obj-line-too-long = { $file }, line { $line }: the line has { $bytes } bytes; at most { $limit } are possible. The file may be damaged.
+error-obj-number = { $file }, line { $line }: "{ $word }" is no number.
+error-obj-not-finite = { $file }, line { $line }: "{ $word }" is not finite as a 32-bit float.
+error-obj-count = { $file }, line { $line }: "{ $keyword }" takes { $wanted } numbers; here are { $found }. The line may have been cut off.
+error-obj-zero-weight = { $file }, line { $line }: the fourth number divides the other three, so it must not be 0.
+error-obj-color = { $file }, line { $line }: the colour { $word } must be from 0 to 1.
+error-obj-some-colors = { $file }, line { $line }: some vertices have a colour and some have none. Give one to all or to none.
+error-obj-corners = { $file }, line { $line }: a face needs 3 corners or more; here are { $found }. The line may have been cut off.
+error-obj-corner = { $file }, line { $line }: "{ $word }" is no corner. A corner is v, v/vt, v//vn or v/vt/vn.
+error-obj-index-zero = { $file }, line { $line }: there is no index 0; the first one is 1 and the last one is -1.
+error-obj-no-such-index = { $file }, line { $line }: the face refers to "{ $keyword }" number { $index }, but there are only { $count }. The file may have been cut off.
+error-obj-no-faces = { $file }: the file has no faces, so there is nothing to draw.
+error-obj-not-obj = { $file }, line { $line }: "{ $word }" is no OBJ statement, and the file has no faces. Is it an OBJ file?
+error-obj-refused = { $file }: the model cannot be used ({ $what }).
+
+## The presets: a name, and one sentence or two why the case matters.
+
+preset-two-through-each-other-name = Two through each other
+preset-two-through-each-other = A and B pass through each other: every pixel has its own nearest. C shows its back, so it is culled.
+
+preset-acceptance-square-name = Square on pixel centres
+preset-acceptance-square = All corners and the diagonal lie on pixel centres. The tie rule fills exactly 36 pixels, each once.
+
+preset-shared-edges-through-centres-name = Fan around a pixel centre
+preset-shared-edges-through-centres = Eight triangles share edges that run through pixel centres. Each centre belongs to exactly one of them.
+
+preset-near-plane-name = Through the near plane
+preset-near-plane = One corner is too near. The near plane cuts it off, and two triangles remain.
+
+preset-behind-the-eye-name = Behind the eye
+preset-behind-the-eye = One corner lies behind the eye, where w is negative. Dividing before clipping would throw it to the wrong side.
+
+preset-sliver-name = Sliver
+preset-sliver = The triangle is thinner than a pixel, so it covers only the centres that it happens to meet. The gaps are right.
+
+preset-zero-area-name = Zero area
+preset-zero-area = A is a line and B has two equal corners. Neither covers a point, so both are dropped.
+
+preset-edge-on-name = Edge-on
+preset-edge-on = The plane of A goes through the eye: its determinant is exactly zero. It is not front, not back, and covers nothing.
+
+preset-mirrored-name = Mirrored
+preset-mirrored = A and B have the same vertices, but the scale of B is negative. That turns its front into its back, so B is culled.
+
+preset-off-screen-huge-name = Corners far off the screen
+preset-off-screen-huge = A and B share an edge two million units long. Snapped or fixed-point coordinates overflow here; exact ones leave no gap.
+
+preset-cyclic-overlap-name = Cyclic overlap
+preset-cyclic-overlap = A covers B, B covers C and C covers A. No drawing order is right without a depth test.
+
+preset-z-fighting-name = Nearly coplanar
+preset-z-fighting = B lies nearer than A everywhere, but by half a step of the 16-bit code. It wins only where the codes differ: in stripes.
+
+preset-reversed-depth-name = Reversed depth
+preset-reversed-depth = Near is 1 and far is 0: the buffer is cleared to 0 and the greater depth wins. The old compare function would draw nothing.
+
+preset-checkered-square-name = Checkered square
+preset-checkered-square = The square leans away, so its far half is small on the screen. Only a division by 1/w at each pixel keeps the squares straight.
+
+preset-order-of-blending-name = Order of blending
+preset-order-of-blending = Right are the same two layers as left, in the other order. Where they overlap, the layer drawn last counts most.
+
+preset-stencil-mask-name = Stencil mask
+preset-stencil-mask = A writes 1 into the stencil. B is drawn only where the stencil is 1, so A cuts B out.
+
+preset-outline-name = Outline by stencil
+preset-outline = The pawn is drawn and writes 1. An enlarged one is drawn where the stencil is not 1: what remains is the outline.
+
+preset-tetrahedron-name = Tetrahedron
+preset-tetrahedron = Every corner has its own colour. Inside a face the colour is the weighted mean of three corners, weighted by 1/w.
+
+preset-cube-name = Cube
+preset-cube = Twelve triangles, of which at most six face the eye. Culling the others changes no pixel, because the cube is closed.
+
+preset-pawn-name = Pawn
+preset-pawn = A body of revolution: many small triangles, about half of them turned away. This is what a real model asks of each stage.
+
+preset-trefoil-name = Trefoil knot
+preset-trefoil = The knot passes before and behind itself three times. No order of whole objects can replace a depth for each pixel.
+
+preset-spheres-name = Spheres through the sides
+preset-spheres = Two spheres reach out of the view. Some triangles are dropped whole, some are cut, and the cuts leave no gap.
+
+preset-line-three-cuts-name = Three cuts, corner to corner
+preset-line-three-cuts = Both ends lie in corner regions. Three borders cut before the line is accepted.
+
+preset-line-inside-name = Inside: accepted at once
+preset-line-inside = Both codes are 0000. One OR decides, and nothing is computed.
+
+preset-line-same-side-name = Same side: rejected at once
+preset-line-same-side = Both ends lie above the window. One AND decides, and nothing is computed.
+
+preset-line-looks-hidden-name = Looks hidden, is not (AND = 0)
+preset-line-looks-hidden = Both ends lie outside, but on no common side. Only cutting shows that a piece is visible.
+
+preset-line-passes-by-name = Passes by (AND = 0)
+preset-line-passes-by = The ends share no side, yet the line misses the window. It is rejected after a cut, not at once.
+
+preset-line-touches-a-corner-name = Touches a corner
+preset-line-touches-a-corner = The line meets the window in one point. The window is closed, so this point is visible.
+
+preset-line-along-a-border-name = Along a border
+preset-line-along-a-border = The line runs on the border itself. Border points have code 0000, so only the ends are cut.
+
+preset-span-left-tie-name = One tie on a left edge
+preset-span-left-tie = In row 4 the left edge runs exactly through a pixel centre. A left edge draws it; a right edge would not.
+
+preset-span-apex-on-a-row-name = Apex on a centre row
+preset-span-apex-on-a-row = The apex lies on the line of pixel centres of row 1. The span there is empty: it begins where it ends.
+
+preset-span-shared-diagonal-name = Shared diagonal, 36 pixels
+preset-span-shared-diagonal = The diagonal of the square runs through pixel centres. It is a left edge for one triangle and a right edge for the other.
+
+preset-span-needle-name = Needle: no centre inside
+preset-span-needle = The needle crosses eight rows, but every span lies between two pixel centres. Nothing is drawn, and that is right.
+
+preset-span-flat-top-name = Flat top on a centre row
+preset-span-flat-top = A horizontal edge lies on the line of pixel centres. A top edge draws that row.
+
+preset-span-flat-bottom-name = Flat bottom on a centre row
+preset-span-flat-bottom = A horizontal edge lies on the line of pixel centres. A bottom edge does not draw that row.
+
+preset-depth-two-triangles-name = B over A: smaller depth wins
+preset-depth-two-triangles = A and B overlap, and neither is nearer everywhere. Each pixel compares two codes.
+
+preset-depth-equal-name = Equal depth
+preset-depth-equal = Both triangles have depth 0.5 everywhere. Less is false for equal codes, so the first one stays.
+
+preset-depth-through-name = Through each other
+preset-depth-through = One triangle falls to the right, the other rises. They change places where their depths are equal.
+
+preset-depth-behind-name = Wholly behind
+preset-depth-behind = B lies behind A. Where they overlap every test fails, and nothing is written.
+
+preset-depth-order-name = The same, drawn back to front
+preset-depth-order = These are the triangles of the example before, in the other order. The image is the same, but more is written.
+
+preset-vertex-perspective-name = Perspective
+preset-vertex-perspective = One corner of A goes through every space, from the model to the pixel. Its w is its distance along the line of sight.
+
+preset-vertex-orthographic-name = Orthographic
+preset-vertex-orthographic = Without perspective w stays 1. The division changes nothing, and depth is linear.
+
+preset-vertex-behind-the-eye-name = Behind the eye: w < 0
+preset-vertex-behind-the-eye = This corner lies behind the eye. After the division it would stand on the wrong side, so it must be clipped before.
+
+preset-vertex-minus-one-to-one-name = Depth from −1 to 1
+preset-vertex-minus-one-to-one = The first corner lies on the near plane and the second on the far plane. Their depths are exactly −1 and 1.
+
+preset-vertex-rotated-model-name = Rotated model
+preset-vertex-rotated-model = A corner of the cube is scaled, rotated and moved before the camera sees it. The order of the three matters.

@@ -1,0 +1,56 @@
+//! `coverage`: the pixels of a triangle.
+
+use rasterscope_core::{
+    math::Tally,
+    raster::{Algorithm, FillRule, Settings, Span, YAxis, rows},
+    scene::{LabInput, Scene},
+};
+use serde::Serialize;
+
+use super::{Refusal, Request, lab_scene};
+
+/// Algorithms of the interface that come in a later version.
+const LATER: [&str; 4] = ["backtracking", "zigzag", "tiled", "homogeneous"];
+
+/// The conventions of a `coverage` or `depth` request.
+pub(super) fn conventions(request: &Request) -> Result<(Algorithm, Settings), Refusal> {
+    let names = ("algorithm", "unknown-algorithm");
+    let algorithm = request.choice(names, &Algorithm::ALL, Algorithm::name, &LATER)?;
+    let rules = ("fill_rule", "unknown-fill-rule");
+    let fill_rule = request.choice(rules, &FillRule::ALL, FillRule::name, &[])?;
+    let axes = ("y_axis", "unknown-y-axis");
+    let y_axis = request.choice(axes, &[YAxis::Down, YAxis::Up], axis_name, &[])?;
+    let settings = Settings {
+        fill_rule: fill_rule.unwrap_or_default(),
+        y_axis: y_axis.unwrap_or_default(),
+        arithmetic: request.arithmetic()?,
+        ..Settings::new(request.size()?)
+    };
+    Ok((algorithm.unwrap_or_default(), settings))
+}
+
+fn axis_name(axis: YAxis) -> &'static str {
+    match axis {
+        YAxis::Down => "down",
+        YAxis::Up => "up",
+    }
+}
+
+/// The covered pixels, `[y, x_begin, x_end_exclusive]` for each row that has any.
+#[derive(Debug, Serialize)]
+pub(super) struct Answer {
+    rows: Vec<[u32; 3]>,
+}
+
+pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
+    let (algorithm, settings) = conventions(request)?;
+    let spans = rows(algorithm, request.vertices()?, &settings, &mut Tally::default());
+    Ok(Answer { rows: spans.into_iter().map(|Span { y, begin, end }| [y, begin, end]).collect() })
+}
+
+/// The same request as a scene that opens a lab.
+pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
+    let (_, Settings { size, fill_rule, y_axis, .. }) = conventions(request)?;
+    let input = LabInput::Scanline { vertices: Some(request.vertices()?), triangle: 0 };
+    Ok(Scene { fill_rule, y_axis, ..lab_scene(size, input) })
+}

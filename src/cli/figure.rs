@@ -1,0 +1,74 @@
+//! `rasterscope figure`: the picture of a lab after some steps, as on the screen.
+
+use rasterscope_core::{
+    labs,
+    message::{Message, Value},
+    replay::{Budget, Playback},
+};
+use rasterscope_figure::{
+    figure::Figure,
+    layout::{self, Placement},
+    png, svg,
+    theme::{Theme, ThemeName},
+};
+use std::path::PathBuf;
+
+use crate::{Failure, files, trace::check_name, words::WORDS};
+
+/// Width and height in points, unless the options say otherwise: a canvas of 4 to 3.
+pub const SIZE: [u32; 2] = [960, 720];
+
+/// Pixels of a PNG for each point.
+pub(crate) const PIXELS_PER_POINT: f32 = 2.0;
+
+/// Distance of the drawing from the border of the figure, in points.
+const INSET: f32 = 24.0;
+
+/// What to draw, and where it goes.
+#[derive(Clone, Debug)]
+pub struct FigureOptions {
+    /// The lab's name.
+    pub lab: String,
+    /// A scene or a `compute` request.
+    pub file: PathBuf,
+    /// After how many steps of the finest level; 0 is the start, `None` the step of the scene.
+    pub step: Option<usize>,
+    /// Width and height in points, each in 16..=8192.
+    pub size: [u32; 2],
+    /// In which colours.
+    pub theme: ThemeName,
+    /// Where it goes; `.svg` or `.png`.
+    pub output: PathBuf,
+}
+
+/// Draws a step and writes it whole or not at all.
+pub fn figure(options: &FigureOptions) -> Result<(), Failure> {
+    check_name(&options.lab)?;
+    let ending = options.output.extension().map(|ending| ending.to_ascii_lowercase());
+    let svg_wanted = match ending.as_deref().and_then(|ending| ending.to_str()) {
+        Some("svg") => true,
+        Some("png") => false,
+        _ => {
+            let message = Message::new("error-figure-ending");
+            let file = Value::text(options.output.display());
+            return Err(Failure::usage(&message.with("file", file)));
+        }
+    };
+    if options.size.iter().any(|side| !(16..=8192).contains(side)) {
+        return Err(Failure::usage(&Message::new("error-figure-size")));
+    }
+    let scene = files::open_lab(&options.lab, &options.file)?;
+    let opened_at = scene.lab.as_ref().and_then(|lab| lab.step);
+    let mut run = labs::play(&scene, Budget::default()).map_err(|message| Failure::work(&message))?;
+    run.seek(options.step.or(opened_at).unwrap_or(usize::MAX));
+    let figure = draw(&*run, options.size.map(|side| side as f32), options.theme.theme());
+    let bytes =
+        if svg_wanted { svg::svg(&figure).into_bytes() } else { png::png(&figure, PIXELS_PER_POINT) };
+    files::write(&options.output, &bytes)
+}
+
+/// The drawing of a run at its cursor.
+pub(crate) fn draw(run: &dyn Playback, size: [f32; 2], theme: &Theme) -> Figure {
+    let view = run.view();
+    layout::draw(&run.marks(), &view, &Placement::fit(&view, size, INSET), size, theme, &WORDS)
+}

@@ -1,0 +1,188 @@
+//! Where files are read and written, and what a FILE may hold.
+//!
+//! A FILE is a scene, an OBJ model, a `compute` request where that makes sense, or the name of a
+//! preset. Output is written whole or not at all: beside its place first, then renamed.
+
+use rasterscope_core::{
+    message::{Message, Value},
+    scene::{LabInput, Mesh, Scene, assets, fit},
+};
+use std::{
+    fs::{self, File},
+    io::{self, Read},
+    path::Path,
+};
+
+use crate::{
+    Failure,
+    compute::{self, Request},
+    failure::reason,
+    words::{WORDS, say},
+};
+
+/// Files beyond this many bytes are not read.
+const MOST_BYTES: u64 = 1 << 30;
+
+/// Reads a file of any kind.
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+    try_read(path).map_err(|error| about("error-cannot-read", path, &error))
+}
+
+fn try_read(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MOST_BYTES { Err(io::ErrorKind::FileTooLarge.into()) } else { Ok(bytes) }
+}
+
+/// What went wrong with a file, as a sentence that names it.
+pub(crate) fn about(id: &'static str, path: &Path, error: &io::Error) -> Failure {
+    Failure::work(&Message::new(id).with("file", name(path)).with("why", reason(error)))
+}
+
+fn name(path: &Path) -> Value {
+    Value::text(path.display())
+}
+
+/// Writes a file whole or not at all; what stood there before stays until the new one is whole.
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let mut part = path.as_os_str().to_owned();
+    part.push(format!(".{}.part", std::process::id()));
+    let written = fs::write(&part, bytes).and_then(|()| fs::rename(&part, path));
+    written.map_err(|error| {
+        // What cannot be removed was not written either.
+        let _ = fs::remove_file(&part);
+        about("error-cannot-write", path, &error)
+    })
+}
+
+/// What a FILE holds.
+#[derive(Debug)]
+enum Content {
+    Scene(Scene),
+    Request(Request),
+}
+
+/// The scene of a FILE with its models loaded; the default preset without a FILE.
+pub fn open_scene(path: Option<&Path>) -> Result<Scene, Failure> {
+    let Some(path) = path else { return open_preset(&assets::PRESETS[0]) };
+    match open(path)? {
+        Content::Scene(scene) => Ok(scene),
+        Content::Request(_) => {
+            Err(Failure::work(&Message::new("error-request-is-no-scene").with("file", name(path))))
+        }
+    }
+}
+
+/// The scene of a FILE, or of the request that it holds, with `lab` opened on it.
+pub(crate) fn open_lab(lab: &str, path: &Path) -> Result<Scene, Failure> {
+    let (mut scene, from_request) = match open(path)? {
+        Content::Scene(scene) => (scene, false),
+        Content::Request(request) => {
+            let scene = compute::lab(&request).map_err(|refusal| inside(path, &refusal.message))?;
+            (scene, true)
+        }
+    };
+    let input = scene.lab.as_ref().map(|lab| &lab.input);
+    if input.is_some_and(|input| input.name() == lab) {
+        return Ok(scene);
+    }
+    // What needs no input beyond the scene's triangles starts on any scene that has some.
+    match rasterscope_core::labs::default_input(lab) {
+        Some(input) if !from_request && !matches!(input, LabInput::CohenSutherland { .. }) => {
+            scene.lab = Some(rasterscope_core::scene::Lab { step: None, input });
+            Ok(scene)
+        }
+        _ => {
+            let message = Message::new("error-no-input-for-lab");
+            Err(Failure::work(&message.with("file", name(path)).with("lab", Value::text(lab))))
+        }
+    }
+}
+
+fn open(path: &Path) -> Result<Content, Failure> {
+    let bytes = match try_read(path) {
+        Ok(bytes) => bytes,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => match built_in(path) {
+            Some(found) => return found,
+            None => return Err(about("error-file-not-found", path, &error)),
+        },
+        Err(error) => return Err(about("error-cannot-read", path, &error)),
+    };
+    content(path, &bytes)
+}
+
+/// The preset or model of that name.
+fn built_in(path: &Path) -> Option<Result<Content, Failure>> {
+    let name = path.to_str()?;
+    if let Some(preset) = assets::preset(name.strip_suffix(".json").unwrap_or(name)) {
+        return Some(open_preset(preset).map(Content::Scene));
+    }
+    assets::model(name).map(|bytes| model(path, bytes))
+}
+
+/// A scene that is part of the program.
+pub(crate) fn open_preset(preset: &assets::Preset) -> Result<Scene, Failure> {
+    scene(Path::new(preset.name), Scene::from_json(preset.json.as_bytes()), None)
+}
+
+fn content(path: &Path, bytes: &[u8]) -> Result<Content, Failure> {
+    let text = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes).trim_ascii_start();
+    let named_obj = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("obj"));
+    if named_obj || !text.starts_with(b"{") && looks_like_obj(text) {
+        return model(path, bytes);
+    }
+    if bytes.len() <= compute::MOST_BYTES
+        && let Ok(request) = Request::parse(bytes)
+        && request.optional("op").is_some()
+    {
+        return Ok(Content::Request(request));
+    }
+    scene(path, Scene::from_json(bytes), path.parent()).map(Content::Scene)
+}
+
+/// Whether one of the first lines is a vertex.
+fn looks_like_obj(text: &[u8]) -> bool {
+    const LINES: usize = 1000;
+    const BYTES: usize = 1 << 16;
+    let start = &text[..text.len().min(BYTES)];
+    start.split(|&byte| byte == b'\n').take(LINES).any(|line| line.trim_ascii_start().starts_with(b"v "))
+}
+
+fn model(path: &Path, bytes: &[u8]) -> Result<Content, Failure> {
+    let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+    let mesh = Mesh::from_obj(bytes).map_err(|error| Failure::work(&error.named(&file).message()))?;
+    Ok(Content::Scene(fit::scene_from_obj(&file, mesh, fit::MODEL_SIZE)))
+}
+
+fn scene(
+    path: &Path,
+    scene: Result<Scene, rasterscope_core::scene::SceneError>,
+    folder: Option<&Path>,
+) -> Result<Scene, Failure> {
+    scene
+        .and_then(|scene| scene.resolve(&mut |file| load_model(file, folder)))
+        .map_err(|error| inside(path, &error.message()))
+}
+
+/// A sentence about what stands in a file, with the file's name before it.
+fn inside(path: &Path, problem: &Message) -> Failure {
+    let message = Message::new("error-in-file").with("file", name(path));
+    Failure::work(&message.with("problem", Value::text(say(problem))))
+}
+
+/// The bytes of a model that a scene names: from the scene's folder, the current directory, or
+/// among the built-in ones.
+pub(crate) fn load_model(file: &str, folder: Option<&Path>) -> Result<Vec<u8>, String> {
+    let mut problem = io::Error::from(io::ErrorKind::NotFound);
+    for folder in folder.into_iter().chain([Path::new("")]) {
+        match try_read(&folder.join(file)) {
+            Ok(bytes) => return Ok(bytes),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+            Err(error) => problem = error,
+        }
+    }
+    match assets::model(file) {
+        Some(bytes) => Ok(bytes.to_vec()),
+        None => Err(WORDS.value(&reason(&problem))),
+    }
+}

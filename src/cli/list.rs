@@ -1,0 +1,37 @@
+//! `rasterscope list`: labs, algorithms and presets, a sentence each.
+
+use rasterscope_core::{clip, labs, raster, scene::assets};
+use std::io::{self, Write};
+
+use crate::{Failure, failure::written, words};
+
+/// Writes what there is, in aligned columns.
+pub fn list(output: &mut dyn Write) -> Result<(), Failure> {
+    written(write(output))
+}
+
+fn write(output: &mut dyn Write) -> io::Result<()> {
+    let about = |name: &'static str| (name, words::of(&format!("{name}-about")));
+    let lines = clip::line::Algorithm::ALL.map(clip::line::Algorithm::name);
+    let rasters = raster::Algorithm::ALL.map(raster::Algorithm::name);
+    let steps = ["transform", "z-buffer"];
+    let presets = assets::PRESETS.iter().map(|preset| (preset.name, words::of(&format!("preset-{}", preset.name))));
+    section(output, "list-labs", labs::ALL.map(|lab| about(lab.name)))?;
+    section(output, "list-algorithms", lines.into_iter().chain(rasters).chain(steps).map(about))?;
+    section(output, "list-presets", presets)
+}
+
+/// A heading, and below it names with their sentences in two columns.
+fn section(
+    output: &mut dyn Write,
+    heading: &str,
+    entries: impl IntoIterator<Item = (&'static str, String)>,
+) -> io::Result<()> {
+    let entries: Vec<_> = entries.into_iter().collect();
+    let width = entries.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    writeln!(output, "{}", words::of(heading))?;
+    for (name, sentence) in entries {
+        writeln!(output, "  {name:<width$}  {sentence}")?;
+    }
+    writeln!(output)
+}

@@ -1,0 +1,190 @@
+//! The z-buffer: a fragment is drawn if its depth passes against what the pixel holds.
+//!
+//! *Source:* Catmull, A Subdivision Algorithm for Computer Display of Curved Surfaces, 1974; Foley et
+//! al., Computer Graphics: Principles and Practice, 2nd ed., section 15.4. Deviation: each depth is
+//! the exact plane value, not a sum of increments.
+
+mod explain;
+
+pub use explain::Snapshot;
+
+use super::{DepthBuffer, DepthFormat, DepthPlane, DepthState};
+use crate::{
+    math::Tally,
+    raster::{self, Algorithm},
+    replay::{Budget, Player},
+    trace::{NoTrace, Tracer},
+};
+use serde::Serialize;
+
+/// A triangle with a depth: x and y in pixels, z in the depth range; finite.
+pub type Triangle = [[f32; 3]; 3];
+
+/// The conventions of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Which rasterizer finds the fragments.
+    pub algorithm: Algorithm,
+    /// Its conventions, and the image's size.
+    pub raster: raster::Settings,
+    /// How a depth is stored.
+    pub format: DepthFormat,
+    /// The depth of an empty pixel.
+    pub clear: f32,
+    /// What passes, and what is written then.
+    pub state: DepthState,
+}
+
+impl Settings {
+    /// Smaller depths win over a clear depth of 1, in f32.
+    pub fn new(size: [u32; 2]) -> Self {
+        Self {
+            algorithm: Algorithm::default(),
+            raster: raster::Settings::new(size),
+            format: DepthFormat::default(),
+            clear: 1.0,
+            state: DepthState::default(),
+        }
+    }
+
+    /// An image with nothing drawn.
+    pub fn empty(&self) -> Image {
+        let [width, height] = self.raster.size;
+        Image {
+            depth: DepthBuffer::new(self.raster.size, self.format, self.clear),
+            owners: vec![None; width as usize * height as usize],
+        }
+    }
+}
+
+/// What has been drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Image {
+    /// The depth of each pixel.
+    pub depth: DepthBuffer,
+    /// Which triangle each pixel shows, row by row from row 0.
+    pub owners: Vec<Option<u32>>,
+}
+
+impl Image {
+    /// The triangle that a pixel of the image shows.
+    #[inline]
+    pub fn owner(&self, pixel: [u32; 2]) -> Option<u32> {
+        self.owners[self.depth.index(pixel)]
+    }
+
+    fn show(&mut self, pixel: [u32; 2], triangle: u32) {
+        let index = self.depth.index(pixel);
+        self.owners[index] = Some(triangle);
+    }
+}
+
+/// What the algorithm did. At most 16 bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub enum Event {
+    /// A triangle begins.
+    Triangle {
+        /// Which one.
+        index: u32,
+    },
+    /// A row of its pixels begins.
+    Row {
+        /// The row.
+        y: u32,
+        /// First column.
+        begin: u32,
+        /// One past the last column.
+        end: u32,
+    },
+    /// A fragment arrives.
+    Fragment {
+        /// Its column; images have at most 16384.
+        x: u16,
+        /// Its depth, rounded to f32.
+        z: f32,
+        /// Its depth's code in the buffer's format.
+        code: u32,
+        /// The code that its pixel holds.
+        stored: u32,
+    },
+    /// It passed: the triangle shows, and its code is stored if the state writes.
+    Pass,
+    /// It failed: nothing changes.
+    Fail,
+    /// A triangle is done.
+    Done {
+        /// Fragments that passed.
+        passed: u32,
+        /// Fragments that failed.
+        failed: u32,
+    },
+}
+const _: () = assert!(size_of::<Event>() <= 16);
+
+/// Draws triangles in order; each pixel shows the last one that passed there.
+///
+/// Triangles of no area and pixels off the image draw nothing. With `less` and distinct depths,
+/// the order does not matter. Cost: about 20 ns a fragment.
+pub fn draw(triangles: &[Triangle], settings: &Settings) -> Image {
+    draw_traced(triangles, settings, &mut Tally::default(), &mut NoTrace)
+}
+
+/// [`draw`] as a run that can be scrubbed.
+pub fn play(triangles: Vec<Triangle>, settings: Settings, budget: Budget) -> Player<Snapshot> {
+    let snapshot = Snapshot::new(&triangles, settings);
+    Player::new(snapshot, budget, move |t| {
+        draw_traced(&triangles, &settings, &mut Tally::default(), t);
+    })
+}
+
+/// The algorithm: [`draw`] and [`play`] are this with two tracers.
+pub fn draw_traced<T: Tracer<Event>>(
+    triangles: &[Triangle],
+    settings: &Settings,
+    tally: &mut Tally,
+    t: &mut T,
+) -> Image {
+    let mut image = settings.empty();
+    for (&triangle, index) in triangles.iter().zip(0..) {
+        t.emit(|| Event::Triangle { index });
+        draw_triangle_traced(triangle, index, settings, &mut image, tally, t);
+    }
+    image
+}
+
+/// One triangle of [`draw_traced`]: its fragments against the image.
+fn draw_triangle_traced<T: Tracer<Event>>(
+    triangle: Triangle,
+    index: u32,
+    settings: &Settings,
+    image: &mut Image,
+    tally: &mut Tally,
+    t: &mut T,
+) {
+    let plane = DepthPlane::new(triangle, settings.raster.arithmetic, tally);
+    let mut signs = Tally::default();
+    let (mut passed, mut failed) = (0, 0);
+    let points = triangle.map(|[x, y, _]| [x, y]);
+    raster::cover(settings.algorithm, points, &settings.raster, &mut signs, &mut |span| {
+        let raster::Span { y, begin, end } = span;
+        t.emit(|| Event::Row { y, begin, end });
+        for x in begin..end {
+            let code = plane.code([x, y], settings.format, tally);
+            if T::ENABLED {
+                let z = plane.depth([x, y], tally);
+                let stored = image.depth.code([x, y]);
+                t.emit(|| Event::Fragment { x: x as u16, z, code, stored });
+            }
+            if image.depth.test(settings.state, [x, y], code) {
+                image.show([x, y], index);
+                passed += 1;
+                t.emit(|| Event::Pass);
+            } else {
+                failed += 1;
+                t.emit(|| Event::Fail);
+            }
+        }
+    });
+    *tally += signs;
+    t.emit(|| Event::Done { passed, failed });
+}

@@ -1,0 +1,262 @@
+//! One draw through the stages before scan conversion, each recomputed only when its input changed.
+
+use std::sync::Arc;
+
+use super::{
+    Skip, Skips, Stats,
+    stages::{self, Clipped, CullKey, Culled, Fate, Point, model_matrix},
+    stats::Reason,
+};
+use crate::{
+    clip::polygon::Plane,
+    cull::{Facing, frustum::Bounds},
+    labs::Stage,
+    memo::{Memo, Rev},
+    scene::{Draw, Mesh, Scene, Shade},
+    transform::{Camera, DepthRange, Matrix, Viewport, apply, divide},
+};
+
+/// A stage's output, kept while its key stays equal; its revision moves only when its value does.
+#[derive(Debug)]
+struct Kept<K, V> {
+    memo: Memo<K, ()>,
+    out: Rev<V>,
+}
+
+impl<K: PartialEq, V: PartialEq + Default> Default for Kept<K, V> {
+    fn default() -> Self {
+        Self { memo: Memo::default(), out: Rev::new(V::default()) }
+    }
+}
+
+impl<K: PartialEq, V: PartialEq> Kept<K, V> {
+    fn update(&mut self, key: K, compute: impl FnOnce() -> V) {
+        let out = &mut self.out;
+        self.memo.get(key, |_| out.set(compute()));
+    }
+}
+
+/// How often each stage of a draw has run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the names are the stages")]
+pub struct DrawRuns {
+    pub world: usize,
+    pub view: usize,
+    pub clip: usize,
+    pub cull: usize,
+    pub polygons: usize,
+    pub divide: usize,
+    pub viewport: usize,
+    pub shade: usize,
+}
+
+impl DrawRuns {
+    /// How many stages there are.
+    pub const STAGES: usize = 8;
+
+    /// All of them together.
+    pub fn total(&self) -> usize {
+        let Self { world, view, clip, cull, polygons, divide, viewport, shade } = *self;
+        world + view + clip + cull + polygons + divide + viewport + shade
+    }
+}
+
+/// What does not depend on the draw.
+pub(super) struct Shared<'s> {
+    pub(super) scene: &'s Scene,
+    pub(super) view: Matrix,
+    pub(super) projection: Matrix,
+    pub(super) viewport: Viewport,
+    pub(super) skips: Skips,
+}
+
+/// What the stages made of one draw.
+#[derive(Debug, Default)]
+pub struct DrawOutputs {
+    mesh: Arc<Mesh>,
+    /// Moves when the mesh does.
+    mesh_rev: u64,
+    model: Matrix,
+    bounds: Kept<u64, Option<Bounds>>,
+    outside: Option<Plane>,
+    world: Kept<(u64, Matrix, bool), Vec<Point>>,
+    view: Kept<(u64, Matrix), Vec<Point>>,
+    clip: Kept<(u64, Matrix), Vec<Point>>,
+    cull: Kept<(u64, u64, CullKey), Culled>,
+    polygons: Kept<(u64, u64, u64, DepthRange), Clipped>,
+    ndc: Kept<u64, Vec<Point>>,
+    screen: Kept<(u64, Viewport), Vec<Point>>,
+    shade: Kept<(u64, u64, Shade, Camera), Vec<f32>>,
+}
+
+impl DrawOutputs {
+    /// The mesh that was drawn; empty for a model that was not loaded.
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    /// Object to world space.
+    pub fn model(&self) -> &Matrix {
+        &self.model
+    }
+
+    /// The plane that the object's bounding box lies outside of. Its vertices were not transformed
+    /// then, and all further stages are empty.
+    pub fn outside(&self) -> Option<Plane> {
+        self.outside
+    }
+
+    /// The vertices in world space.
+    pub fn world(&self) -> &[Point] {
+        self.world.out.get()
+    }
+
+    /// The vertices in camera space.
+    pub fn view(&self) -> &[Point] {
+        self.view.out.get()
+    }
+
+    /// The vertices in clip space.
+    pub fn clip(&self) -> &[Point] {
+        self.clip.out.get()
+    }
+
+    /// What was decided about each triangle.
+    pub fn culled(&self) -> &Culled {
+        self.cull.out.get()
+    }
+
+    /// The clipped polygons with their attributes.
+    pub fn clipped(&self) -> &Clipped {
+        self.polygons.out.get()
+    }
+
+    /// The polygons' corners after the divide: (x, y, z, 1/w).
+    pub fn ndc(&self) -> &[Point] {
+        self.ndc.out.get()
+    }
+
+    /// The polygons' corners on the screen: x and y in pixels, depth, 1/w.
+    pub fn screen(&self) -> &[Point] {
+        self.screen.out.get()
+    }
+
+    /// One factor for each triangle of the mesh, or none at all.
+    pub fn shade(&self) -> &[f32] {
+        self.shade.out.get()
+    }
+
+    /// How often each stage has run.
+    pub fn runs(&self) -> DrawRuns {
+        DrawRuns {
+            world: self.world.memo.runs(),
+            view: self.view.memo.runs(),
+            clip: self.clip.memo.runs(),
+            cull: self.cull.memo.runs(),
+            polygons: self.polygons.memo.runs(),
+            divide: self.ndc.memo.runs(),
+            viewport: self.screen.memo.runs(),
+            shade: self.shade.memo.runs(),
+        }
+    }
+
+    /// What the image depends on.
+    pub(super) fn revisions(&self) -> [u64; 3] {
+        [self.polygons.out.rev(), self.screen.out.rev(), self.shade.out.rev()]
+    }
+
+    pub(super) fn update(&mut self, draw: &Draw, shared: &Shared<'_>) {
+        self.set_mesh(draw.geometry.mesh().cloned().unwrap_or_default());
+        let mesh = &*self.mesh;
+        self.model = model_matrix(&draw.transform);
+        self.bounds.update(self.mesh_rev, || Bounds::of(&mesh.positions));
+        self.outside = if shared.skips.has(Skip::ObjectFrustum) {
+            let through = |bounds: &Bounds| {
+                let clip = bounds.through(&self.model).through(&shared.view).through(&shared.projection);
+                clip.outside(shared.scene.depth_range)
+            };
+            self.bounds.out.get().as_ref().and_then(through)
+        } else {
+            None
+        };
+        let model = self.model;
+        let is_outside = self.outside.is_some();
+        self.world.update((self.mesh_rev, model, is_outside), || {
+            let positions = if is_outside { &[] } else { &mesh.positions[..] };
+            positions.iter().map(|&[x, y, z]| apply(&model, [x, y, z, 1.0])).collect()
+        });
+        let world = &self.world.out;
+        self.view.update((world.rev(), shared.view), || through(&shared.view, world.get()));
+        let view = &self.view.out;
+        self.clip.update((view.rev(), shared.projection), || through(&shared.projection, view.get()));
+        let clip = &self.clip.out;
+        let key = CullKey::new(draw, shared.scene.depth_range, shared.skips);
+        self.cull.update((clip.rev(), self.mesh_rev, key), || stages::cull(&key, clip.get(), mesh));
+        let cull = &self.cull.out;
+        self.polygons.update((clip.rev(), cull.rev(), self.mesh_rev, key.range), || {
+            stages::clip(cull.get(), clip.get(), mesh, key.range)
+        });
+        let polygons = &self.polygons.out;
+        self.ndc.update(polygons.rev(), || polygons.get().corners.iter().copied().map(divide).collect());
+        let ndc = &self.ndc.out;
+        let viewport = shared.viewport;
+        self.screen.update((ndc.rev(), viewport), || {
+            ndc.get().iter().map(|&point| viewport.to_screen(point)).collect()
+        });
+        let camera = shared.scene.camera;
+        self.shade.update((world.rev(), self.mesh_rev, draw.shade, camera), || {
+            stages::shade(draw.shade, world.get(), mesh, &camera)
+        });
+    }
+
+    /// The revision moves unless it is the same mesh, or an equal one.
+    fn set_mesh(&mut self, mesh: Arc<Mesh>) {
+        if !Arc::ptr_eq(&self.mesh, &mesh) {
+            self.mesh_rev += u64::from(self.mesh != mesh);
+            self.mesh = mesh;
+        }
+    }
+
+    /// Adds what this draw's stages counted.
+    pub(super) fn count(&self, stats: &mut Stats) {
+        let triangles = self.mesh().triangles.len();
+        stats.pass(Stage::Scene, triangles, triangles);
+        if self.outside.is_some() {
+            stats.stage_mut(Stage::Cull).drop(Reason::ObjectFrustum, triangles as u64);
+            stats.skip(Skip::ObjectFrustum, triangles as u64);
+        }
+        let vertices = self.mesh().positions.len();
+        stats.pass(Stage::Model, vertices, self.world().len());
+        stats.pass(Stage::View, self.world().len(), self.view().len());
+        stats.pass(Stage::ClipSpace, self.view().len(), self.clip().len());
+        let mut kept = 0;
+        for decision in &self.culled().decisions {
+            if decision.fate != Fate::Dropped {
+                kept += 1;
+                continue;
+            }
+            let (reason, skip) = match decision.facing {
+                None => (Reason::Frustum, Skip::Frustum),
+                Some(Facing::Degenerate) => (Reason::Degenerate, Skip::Degenerate),
+                Some(Facing::Back) => (Reason::BackFace, Skip::BackFace),
+                Some(Facing::Front) => (Reason::FrontFace, Skip::BackFace),
+            };
+            stats.stage_mut(Stage::Cull).drop(reason, 1);
+            stats.skip(skip, 1);
+        }
+        stats.pass(Stage::Cull, triangles, kept);
+        let clipped = self.clipped();
+        stats.pass(Stage::Clip, kept, clipped.pieces.len());
+        stats.stage_mut(Stage::Clip).drop(Reason::Clipped, clipped.lost as u64);
+        stats.cut += clipped.polygons.iter().filter(|polygon| polygon.cut).count() as u64;
+        stats.pass(Stage::Divide, clipped.corners.len(), self.ndc().len());
+        stats.pass(Stage::Viewport, self.ndc().len(), self.screen().len());
+        stats.tally += self.culled().tally;
+        stats.tally += clipped.tally;
+    }
+}
+
+/// All vertices times a matrix.
+fn through(matrix: &Matrix, points: &[Point]) -> Vec<Point> {
+    points.iter().map(|&point| apply(matrix, point)).collect()
+}

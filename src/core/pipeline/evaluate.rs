@@ -1,0 +1,144 @@
+//! The whole pipeline, recomputed only where something changed.
+
+use super::{
+    Frame, Skip, Skips, Stats,
+    draw::{DrawOutputs, DrawRuns, Shared},
+    fragments::{FragmentState, ImageState, ScreenTriangle, Target},
+};
+use crate::{
+    memo::Memo,
+    raster::Algorithm,
+    scene::Scene,
+    transform::{Matrix, Viewport, matrices},
+};
+
+/// What every stage made of a scene.
+#[derive(Debug, Default)]
+pub struct Outputs {
+    /// World to camera space.
+    pub view: Matrix,
+    /// Camera to clip space.
+    pub projection: Matrix,
+    /// NDC to the screen.
+    pub viewport: Viewport,
+    /// What the stages up to the screen made of each draw.
+    pub draws: Vec<DrawOutputs>,
+    /// The image.
+    pub frame: Frame,
+}
+
+impl Outputs {
+    /// The triangles that are scan converted and drawn, in order.
+    pub fn triangles(&self) -> impl Iterator<Item = ScreenTriangle> {
+        (0..).zip(&self.draws).flat_map(|(index, draw)| {
+            let drawn = draw.clipped().pieces.iter().filter(|piece| !piece.carried);
+            drawn.map(move |piece| ScreenTriangle::new(index, draw, piece))
+        })
+    }
+}
+
+/// The image depends on nothing else.
+type ImageKey = (ImageState, Vec<([u64; 3], FragmentState)>);
+
+/// The pipeline with the outputs of its last run.
+///
+/// Each stage of each draw runs only if its own input differs from last time, by value; so does the
+/// image. Scenes are compared by the order of their draws.
+#[derive(Debug, Default)]
+pub struct Pipeline {
+    /// Which algorithm converts triangles to pixels; all give the same image.
+    pub algorithm: Algorithm,
+    outputs: Outputs,
+    image: Memo<ImageKey, ()>,
+    target: Option<Target>,
+}
+
+impl Pipeline {
+    /// An empty pipeline with a rasterizer of choice.
+    pub fn new(algorithm: Algorithm) -> Self {
+        Self { algorithm, ..Self::default() }
+    }
+
+    /// The outputs of the last run.
+    pub fn outputs(&self) -> &Outputs {
+        &self.outputs
+    }
+
+    /// The image of the last run.
+    pub fn into_frame(self) -> Frame {
+        self.outputs.frame
+    }
+
+    /// How often the stages of a draw have run.
+    pub fn runs(&self, draw: usize) -> DrawRuns {
+        self.outputs.draws.get(draw).map(DrawOutputs::runs).unwrap_or_default()
+    }
+
+    /// How often the image was drawn.
+    pub fn image_runs(&self) -> usize {
+        self.image.runs()
+    }
+
+    /// Brings all outputs up to date with a resolved scene.
+    ///
+    /// Without the skip `memo` everything is computed anew and the counts of runs start again.
+    pub fn update(&mut self, scene: &Scene, skips: &Skips) -> &Outputs {
+        if !skips.has(Skip::Memo) {
+            *self = Self::new(self.algorithm);
+        }
+        let runs = |outputs: &Outputs| outputs.draws.iter().map(|draw| draw.runs().total()).sum::<usize>();
+        let before = runs(&self.outputs) + self.image.runs();
+        self.update_geometry(scene, *skips);
+        self.draw_image(scene, skips);
+        let stages = DrawRuns::STAGES * scene.draws.len() + 1;
+        let ran = (runs(&self.outputs) + self.image.runs()).saturating_sub(before);
+        let mut stats = Stats::default();
+        self.outputs.draws.iter().for_each(|draw| draw.count(&mut stats));
+        self.target.iter().for_each(|target| stats.add(target.stats()));
+        stats.skip(Skip::Memo, stages.saturating_sub(ran) as u64);
+        self.outputs.frame.stats = stats;
+        &self.outputs
+    }
+
+    /// Brings the stages before the image up to date.
+    pub(super) fn update_geometry(&mut self, scene: &Scene, skips: Skips) {
+        let outputs = &mut self.outputs;
+        outputs.viewport =
+            Viewport { size: scene.size, depth_range: scene.depth_range, y_axis: scene.y_axis };
+        outputs.view = matrices::view(&scene.camera);
+        let aspect = outputs.viewport.aspect();
+        outputs.projection = matrices::projection(&scene.camera, aspect, scene.depth_range, scene.reversed);
+        outputs.draws.resize_with(scene.draws.len(), DrawOutputs::default);
+        let shared = Shared {
+            scene,
+            view: outputs.view,
+            projection: outputs.projection,
+            viewport: outputs.viewport,
+            skips,
+        };
+        for (stages, draw) in outputs.draws.iter_mut().zip(&scene.draws) {
+            stages.update(draw, &shared);
+        }
+    }
+
+    /// Draws the image if anything it depends on changed.
+    fn draw_image(&mut self, scene: &Scene, skips: &Skips) {
+        let Self { algorithm, outputs: Outputs { draws, frame, .. }, image, target } = self;
+        let state = ImageState::new(scene, *algorithm, *skips);
+        let states = draws.iter().zip(&scene.draws);
+        let states = states.map(|(outputs, draw)| (outputs.revisions(), FragmentState::new(draw)));
+        image.get((state, states.collect()), |(_, states)| {
+            let target = match target {
+                Some(target) => {
+                    target.clear(state, frame);
+                    target
+                }
+                None => target.insert(Target::new(state, frame)),
+            };
+            for (draw, (_, state)) in draws.iter().zip(states) {
+                target.draw(draw, state, frame);
+            }
+            target.finish(frame, states.iter().map(|(_, state)| state));
+        });
+    }
+}

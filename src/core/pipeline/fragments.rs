@@ -1,0 +1,370 @@
+//! From screen triangles to the image: scan conversion, stencil, depth, blend, write.
+
+use super::{
+    Frame, Skip, Skips, Stats,
+    draw::DrawOutputs,
+    frame::stored_depth,
+    shader::{Color, Shader},
+    stages::Piece,
+    stats::Reason,
+};
+use crate::{
+    blend::BlendState,
+    depth::{DepthBuffer, DepthFormat, DepthPlane, DepthState},
+    interpolate::unorm,
+    labs::Stage,
+    math::{Arithmetic, Tally},
+    raster::{Algorithm, FillRule, Settings, Span, YAxis, cover},
+    scene::{Clear, Draw, Scene, Texture},
+    stencil::{StencilOutcome, StencilState},
+};
+use std::ops::Range;
+
+/// The state of a draw that its fragments need.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct FragmentState {
+    pub(super) depth: DepthState,
+    pub(super) stencil: Option<StencilState>,
+    pub(super) blend: Option<BlendState>,
+    pub(super) texture: Option<Texture>,
+}
+
+impl FragmentState {
+    pub(super) fn new(draw: &Draw) -> Self {
+        Self { depth: draw.depth, stencil: draw.stencil, blend: draw.blend, texture: draw.texture }
+    }
+}
+
+/// What all fragments share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct ImageState {
+    pub(super) size: [u32; 2],
+    pub(super) clear: Clear,
+    pub(super) format: DepthFormat,
+    pub(super) fill_rule: FillRule,
+    pub(super) y_axis: YAxis,
+    pub(super) algorithm: Algorithm,
+    pub(super) skips: Skips,
+}
+
+impl ImageState {
+    pub(super) fn new(scene: &Scene, algorithm: Algorithm, skips: Skips) -> Self {
+        Self {
+            size: scene.size,
+            clear: scene.clear,
+            format: scene.depth_format,
+            fill_rule: scene.fill_rule,
+            y_axis: scene.y_axis,
+            algorithm,
+            skips,
+        }
+    }
+
+    pub(super) fn settings(&self) -> Settings {
+        Settings {
+            fill_rule: self.fill_rule,
+            y_axis: self.y_axis,
+            skip_row: self.skips.has(Skip::Row),
+            ..Settings::new(self.size)
+        }
+    }
+
+    /// The codes that cleared pixels hold.
+    pub(super) fn clear_color(&self) -> [u8; 4] {
+        self.clear.color.map(|channel| unorm(channel, 255) as u8)
+    }
+
+    /// Whether another image is cleared to the same values.
+    fn clears_like(&self, other: &Self) -> bool {
+        (self.size, self.format, self.clear) == (other.size, other.format, other.clear)
+    }
+}
+
+/// The pixels that are drawn to, kept from image to image.
+#[derive(Debug)]
+pub(super) struct Target {
+    state: ImageState,
+    depth: DepthBuffer,
+    /// In each row, a range around all pixels that were touched.
+    touched: Vec<Range<u32>>,
+    /// Whether a pixel's colour was written.
+    written: Vec<bool>,
+    /// Fragments counted during one image.
+    counts: Counts,
+    /// What the last image counted.
+    stats: Stats,
+}
+
+#[derive(Debug, Default)]
+struct Counts {
+    pieces: u64,
+    spans: u64,
+    fragments: u64,
+    carried: u64,
+    stencil_failed: u64,
+    depth_failed: u64,
+    written: u64,
+    redrawn: u64,
+    never_colored: u64,
+    row_skipped: u64,
+    tally: Tally,
+}
+
+impl Target {
+    /// An image of clear values only, written to `frame`.
+    pub(super) fn new(state: ImageState, frame: &mut Frame) -> Self {
+        let pixels = state.size[0] as usize * state.size[1] as usize;
+        let depth = DepthBuffer::new(state.size, state.format, state.clear.depth);
+        let code = depth.codes().first().copied().unwrap_or_default();
+        frame.size = state.size;
+        frame.color = state.clear_color().repeat(pixels);
+        frame.depth = vec![stored_depth(state.format, code); pixels];
+        frame.depth_codes = None;
+        frame.stencil = vec![state.clear.stencil; pixels];
+        let touched = vec![0..0; state.size[1] as usize];
+        Self {
+            state,
+            depth,
+            touched,
+            written: vec![false; pixels],
+            counts: Counts::default(),
+            stats: Stats::default(),
+        }
+    }
+
+    /// Clears for the next image. What the last one did not touch is clear already.
+    pub(super) fn clear(&mut self, state: ImageState, frame: &mut Frame) {
+        (self.counts, self.stats) = Default::default();
+        if !state.skips.has(Skip::Clear) || !self.state.clears_like(&state) {
+            *self = Self::new(state, frame);
+            return;
+        }
+        self.state = state;
+        let color = state.clear_color();
+        let code = state.format.encode(state.clear.depth);
+        let depth = stored_depth(state.format, code);
+        let mut skipped = self.written.len();
+        for (y, columns) in (0..).zip(&mut self.touched) {
+            let range = frame.index([columns.start, y])..frame.index([columns.end, y]);
+            skipped -= range.len();
+            frame.color[4 * range.start..4 * range.end].as_chunks_mut().0.fill(color);
+            frame.depth[range.clone()].fill(depth);
+            frame.stencil[range.clone()].fill(state.clear.stencil);
+            self.depth.fill(range.clone(), code);
+            self.written[range].fill(false);
+            *columns = 0..0;
+        }
+        self.stats.skip(Skip::Clear, skipped as u64);
+    }
+
+    /// Draws all pieces of a draw, in order.
+    pub(super) fn draw(&mut self, draw: &DrawOutputs, state: &FragmentState, frame: &mut Frame) {
+        let (screen, clipped) = (draw.screen(), draw.clipped());
+        self.counts.pieces += clipped.pieces.len() as u64;
+        for piece in &clipped.pieces {
+            let corners = piece.corners.map(|i| screen[i as usize]);
+            if piece.carried {
+                self.carry(corners.map(|[x, y, ..]| [x, y]));
+                continue;
+            }
+            let shade = draw.shade().get(piece.triangle as usize).copied().unwrap_or(1.0);
+            let vertices = corners.map(|[x, y, _, r]| [x, y, r]);
+            let tally = &mut self.counts.tally;
+            let Some(shader) = Shader::new(vertices, clipped, piece, state.texture, shade, tally) else {
+                continue;
+            };
+            self.triangle(corners, &shader, state, frame);
+        }
+    }
+
+    /// A triangle whose fragments are dropped.
+    fn carry(&mut self, vertices: [[f32; 2]; 3]) {
+        let Counts { spans, fragments, carried, row_skipped, tally, .. } = &mut self.counts;
+        let counts =
+            cover(self.state.algorithm, vertices, &self.state.settings(), tally, &mut |_| *spans += 1);
+        *row_skipped += counts.skipped;
+        *fragments += counts.covered;
+        *carried += counts.covered;
+    }
+
+    fn triangle(
+        &mut self,
+        corners: [[f32; 4]; 3],
+        shader: &Shader,
+        state: &FragmentState,
+        frame: &mut Frame,
+    ) {
+        let vertices = corners.map(|[x, y, ..]| [x, y]);
+        let settings = self.state.settings();
+        let mut tally = Tally::default();
+        let plane = DepthPlane::new(corners.map(|[x, y, z, _]| [x, y, z]), Arithmetic::Exact, &mut tally);
+        let counts = cover(self.state.algorithm, vertices, &settings, &mut tally, &mut |span| {
+            self.span(span, &plane, shader, state, frame);
+        });
+        self.counts.row_skipped += counts.skipped;
+        self.counts.tally += tally;
+    }
+
+    fn span(
+        &mut self,
+        span: Span,
+        plane: &DepthPlane,
+        shader: &Shader,
+        state: &FragmentState,
+        frame: &mut Frame,
+    ) {
+        self.counts.spans += 1;
+        self.counts.fragments += u64::from(span.len());
+        let touched = &mut self.touched[span.y as usize];
+        *touched = if touched.start == touched.end {
+            span.begin..span.end
+        } else {
+            touched.start.min(span.begin)..touched.end.max(span.end)
+        };
+        let early = self.state.skips.has(Skip::EarlyZ);
+        for x in span.begin..span.end {
+            let pixel = [x, span.y];
+            let color =
+                if early { None } else { Some(Paint::new(shader, state, pixel, &mut self.counts.tally)) };
+            if !self.passes(pixel, plane, state, frame) {
+                self.counts.never_colored += u64::from(early);
+                continue;
+            }
+            let color = color.unwrap_or_else(|| Paint::new(shader, state, pixel, &mut self.counts.tally));
+            self.write(pixel, &color, state, frame);
+        }
+    }
+
+    /// The stencil test, then the depth test, with what both store.
+    #[inline]
+    fn passes(
+        &mut self,
+        pixel: [u32; 2],
+        plane: &DepthPlane,
+        state: &FragmentState,
+        frame: &mut Frame,
+    ) -> bool {
+        let index = frame.index(pixel);
+        if let Some(stencil) = &state.stencil {
+            let stored = &mut frame.stencil[index];
+            if !stencil.passes(*stored) {
+                *stored = stencil.after(StencilOutcome::Fail, *stored);
+                self.counts.stencil_failed += 1;
+                return false;
+            }
+        }
+        let mut passes = true;
+        if state.depth.test {
+            let code = plane.code(pixel, self.state.format, &mut self.counts.tally);
+            passes = self.depth.test(state.depth, pixel, code);
+        }
+        if let Some(stencil) = &state.stencil {
+            let outcome = if passes { StencilOutcome::Pass } else { StencilOutcome::DepthFail };
+            frame.stencil[index] = stencil.after(outcome, frame.stencil[index]);
+        }
+        self.counts.depth_failed += u64::from(!passes);
+        passes
+    }
+
+    #[inline]
+    fn write(&mut self, pixel: [u32; 2], color: &Paint<'_>, state: &FragmentState, frame: &mut Frame) {
+        let index = frame.index(pixel);
+        let new = match (color, &state.blend) {
+            (Paint::Codes(codes), _) => *codes,
+            (Paint::Exact(color), Some(blend)) => {
+                color.blended(blend, frame.pixel(pixel), &mut self.counts.tally)
+            }
+            (Paint::Exact(color), None) => color.codes(&mut self.counts.tally),
+        };
+        frame.color[4 * index..4 * index + 4].copy_from_slice(&new);
+        self.counts.written += 1;
+        self.counts.redrawn += u64::from(std::mem::replace(&mut self.written[index], true));
+    }
+
+    /// Copies the depths to the frame and adds up what was counted.
+    pub(super) fn finish<'s>(
+        &mut self,
+        frame: &mut Frame,
+        states: impl Iterator<Item = &'s FragmentState> + Clone,
+    ) {
+        let codes = self.depth.codes();
+        for (y, columns) in (0..).zip(&self.touched) {
+            let range = frame.index([columns.start, y])..frame.index([columns.end, y]);
+            for (depth, code) in frame.depth[range.clone()].iter_mut().zip(&codes[range]) {
+                *depth = stored_depth(self.state.format, *code);
+            }
+        }
+        frame.depth_codes = self.state.format.max_code().map(|_| codes.to_vec());
+        let (counts, stats) = (&self.counts, &mut self.stats);
+        let any = |uses: fn(&FragmentState) -> bool| states.clone().any(uses);
+        let drawn = counts.fragments - counts.carried;
+        let after_stencil = drawn - counts.stencil_failed;
+        let mut set = |stage: Stage, came: u64, went: u64, on: bool| {
+            let count = stats.stage_mut(stage);
+            (count.came, count.went, count.on) = (came, went, on);
+        };
+        set(Stage::ScanConversion, counts.pieces, counts.spans, true);
+        set(Stage::Fragments, counts.spans, drawn, true);
+        set(Stage::Stencil, drawn, after_stencil, any(|state| state.stencil.is_some()));
+        set(Stage::Depth, after_stencil, counts.written, any(|state| state.depth.test));
+        set(Stage::Blend, counts.written, counts.written, any(|state| state.blend.is_some()));
+        set(Stage::Image, counts.written, counts.written - counts.redrawn, true);
+        stats.stage_mut(Stage::Fragments).drop(Reason::Carried, counts.carried);
+        stats.stage_mut(Stage::Stencil).drop(Reason::Stencil, counts.stencil_failed);
+        stats.stage_mut(Stage::Depth).drop(Reason::Depth, counts.depth_failed);
+        stats.stage_mut(Stage::Image).drop(Reason::Redrawn, counts.redrawn);
+        stats.skip(Skip::Row, counts.row_skipped);
+        stats.skip(Skip::EarlyZ, counts.never_colored);
+        stats.tally += counts.tally;
+    }
+
+    /// What the last image counted, from scan conversion on.
+    pub(super) fn stats(&self) -> &Stats {
+        &self.stats
+    }
+}
+
+/// The colour of a fragment: codes at once where nothing else can happen to it.
+enum Paint<'s> {
+    Codes([u8; 4]),
+    Exact(Color<'s>),
+}
+
+impl<'s> Paint<'s> {
+    #[inline]
+    fn new(shader: &'s Shader, state: &FragmentState, pixel: [u32; 2], tally: &mut Tally) -> Self {
+        match (state.blend, shader.constant()) {
+            (None, Some(codes)) => Self::Codes(codes),
+            (None, None) => Self::Codes(shader.at(pixel, tally).codes(tally)),
+            (Some(_), _) => Self::Exact(shader.at(pixel, tally)),
+        }
+    }
+}
+
+/// A piece on the screen, as the labs take it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScreenTriangle {
+    /// x and y in pixels, depth.
+    pub vertices: [[f32; 3]; 3],
+    /// 1/w at each vertex.
+    pub r: [f32; 3],
+    /// Which draw.
+    pub draw: u32,
+    /// Which triangle of its mesh.
+    pub triangle: u32,
+    /// Which part of the clipped triangle, from 0.
+    pub part: u32,
+}
+
+impl ScreenTriangle {
+    pub(super) fn new(draw: u32, outputs: &DrawOutputs, piece: &Piece) -> Self {
+        let corners = piece.corners.map(|i| outputs.screen()[i as usize]);
+        Self {
+            vertices: corners.map(|[x, y, z, _]| [x, y, z]),
+            r: corners.map(|[.., r]| r),
+            draw,
+            triangle: piece.triangle,
+            part: piece.part,
+        }
+    }
+}

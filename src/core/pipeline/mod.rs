@@ -1,0 +1,40 @@
+//! The whole pipeline: from a scene to its image, with what every stage did.
+//!
+//! Model, view, projection, culling, clipping in clip space, divide, viewport, scan conversion,
+//! stencil, depth, blend, write. Each stage is exact for the binary32 values that it is given. Facing
+//! and degeneracy are decided once, by the unclipped vertices. Every piece of work that can be left
+//! out has a switch in [`Skips`] and a counter in [`Stats`], and never changes the image.
+
+mod draw;
+mod evaluate;
+mod fragments;
+mod frame;
+mod shader;
+mod skips;
+mod stages;
+mod stats;
+
+pub use draw::{DrawOutputs, DrawRuns};
+pub use evaluate::{Outputs, Pipeline};
+pub use fragments::ScreenTriangle;
+pub use frame::Frame;
+pub use skips::{Skip, Skips};
+pub use stages::{Clipped, ClippedPolygon, Culled, Decision, Fate, Piece, Point, model_matrix};
+pub use stats::{Reason, StageCount, Stats, Unit};
+
+use crate::{raster::Algorithm, scene::Scene};
+
+/// Draws a resolved scene; a model that is not loaded draws nothing.
+pub fn render(scene: &Scene, skips: &Skips) -> Frame {
+    let mut pipeline = Pipeline::new(Algorithm::Scanline);
+    pipeline.update(scene, skips);
+    pipeline.into_frame()
+}
+
+/// The triangles that are scan converted, in drawing order.
+pub fn screen_triangles(scene: &Scene) -> Vec<ScreenTriangle> {
+    // Nothing is drawn: only the stages before the image are needed.
+    let mut pipeline = Pipeline::default();
+    pipeline.update_geometry(scene, Skips::ALL);
+    pipeline.outputs().triangles().collect()
+}

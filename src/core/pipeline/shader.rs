@@ -1,0 +1,134 @@
+//! The colour of a fragment, exact until it is written.
+
+use super::stages::{Clipped, Piece};
+use crate::{
+    blend::{BlendState, ExactColor, blend},
+    interpolate::{Interpolator, Weights, unorm},
+    math::{Approx, Dyadic, Tally, rounded_code},
+    scene::Texture,
+};
+
+/// What a dark square of the checker leaves of a colour. A power of two, so that nothing is rounded.
+const DARK: f32 = 0.25;
+
+/// The fragment shader of one triangle: vertex colour, times texture, times shade. Both factors leave
+/// alpha alone.
+pub(super) struct Shader {
+    interpolator: Interpolator,
+    /// Vertex values of red, green, blue, alpha.
+    channels: [[f32; 3]; 4],
+    /// Vertex values of u and v, with the texture they look up.
+    texture: Option<([[f32; 3]; 2], Texture)>,
+    shade: f32,
+    /// The code of all fragments, if they have the same colour.
+    constant: Option<[u8; 4]>,
+}
+
+/// The colour of one fragment, not rounded yet.
+pub(super) struct Color<'s> {
+    shader: &'s Shader,
+    weights: Weights<'s>,
+    /// Multiplies red, green and blue; exact.
+    factor: f32,
+}
+
+impl Shader {
+    /// `None` if the piece has no area on the screen. `vertices` are (x, y, 1/w).
+    pub(super) fn new(
+        vertices: [[f32; 3]; 3],
+        clipped: &Clipped,
+        piece: &Piece,
+        texture: Option<Texture>,
+        shade: f32,
+        tally: &mut Tally,
+    ) -> Option<Self> {
+        let interpolator = Interpolator::new(vertices, tally)?;
+        let corners = piece.corners.map(|i| i as usize);
+        let channels = [0, 1, 2, 3].map(|channel| corners.map(|i| clipped.colors[i][channel]));
+        let has_uvs = !clipped.uvs.is_empty();
+        let texture = texture
+            .filter(|_| has_uvs)
+            .map(|texture| ([0, 1].map(|axis| corners.map(|i| clipped.uvs[i][axis])), texture));
+        let mut shader = Self { interpolator, channels, texture, shade, constant: None };
+        let is_constant = channels.iter().all(|[a, b, c]| a == b && b == c);
+        if is_constant && shader.texture.is_none() {
+            let [r, g, b, a] = channels.map(|channel| channel[0]);
+            let code = |value: f32, factor: f32| {
+                // A product of two f32 is exact in f64.
+                let value = f64::from(value) * f64::from(factor);
+                rounded_code(Approx::exact(value), 255, || (Dyadic::from(value), Dyadic::one()), tally) as u8
+            };
+            let [r, g, b] = [r, g, b].map({
+                let mut code = code;
+                move |value| code(value, shade)
+            });
+            shader.constant = Some([r, g, b, unorm(a, 255) as u8]);
+        }
+        Some(shader)
+    }
+
+    /// The codes of every fragment, if they are the same.
+    pub(super) fn constant(&self) -> Option<[u8; 4]> {
+        self.constant
+    }
+
+    /// The colour at a pixel's centre.
+    pub(super) fn at(&self, pixel: [u32; 2], tally: &mut Tally) -> Color<'_> {
+        let weights = self.interpolator.at(pixel, tally);
+        let texel = match self.texture {
+            None => 1.0,
+            Some((uvs, texture)) => {
+                let [u, v] = uvs.map(|values| weights.value(values, tally));
+                texture.factor(u, v)
+            }
+        };
+        Color { shader: self, weights, factor: texel * self.shade }
+    }
+}
+
+impl Texture {
+    /// What multiplies the colour at these texture coordinates, nearest and repeating: the checker is
+    /// light where `floor(n u) + floor(n v)` is even. Any finite coordinates.
+    pub fn factor(self, u: f32, v: f32) -> f32 {
+        let Self::Checker { squares } = self;
+        // The product is exact up to 2^29 squares.
+        let odd =
+            |coordinate: f32| (f64::from(coordinate) * f64::from(squares)).floor().rem_euclid(2.0) != 0.0;
+        if odd(u) == odd(v) { 1.0 } else { DARK }
+    }
+}
+
+impl Color<'_> {
+    fn factor(&self, channel: usize) -> f32 {
+        if channel == 3 { 1.0 } else { self.factor }
+    }
+
+    fn approx(&self, channel: usize) -> Approx {
+        self.weights.approx(self.shader.channels[channel]) * Approx::from(self.factor(channel))
+    }
+
+    /// One channel as a quotient without a rounding.
+    fn exact(&self, channel: usize) -> (Dyadic, Dyadic) {
+        let (value, weight) = self.weights.exact(self.shader.channels[channel]);
+        (value * Dyadic::from(self.factor(channel)), weight)
+    }
+
+    /// `floor(255 c + 1/2)` of each channel.
+    pub(super) fn codes(&self, tally: &mut Tally) -> [u8; 4] {
+        if self.factor == 1.0 {
+            return self.shader.channels.map(|channel| self.weights.code8(channel, tally));
+        }
+        [0, 1, 2, 3]
+            .map(|channel| rounded_code(self.approx(channel), 255, || self.exact(channel), tally) as u8)
+    }
+
+    /// What is stored after blending over `stored`.
+    pub(super) fn blended(&self, state: &BlendState, stored: [u8; 4], tally: &mut Tally) -> [u8; 4] {
+        let exact = || {
+            let quotients = [0, 1, 2, 3].map(|channel| self.exact(channel));
+            let denominator = quotients[0].1.clone();
+            ExactColor { channels: quotients.map(|(value, _)| value), denominator }
+        };
+        blend(state, [0, 1, 2, 3].map(|channel| self.approx(channel)), exact, stored, tally)
+    }
+}

@@ -1,0 +1,236 @@
+//! The stages before scan conversion: what each computes, from values to values.
+
+use super::{Skip, Skips};
+use crate::{
+    clip::polygon::{Plane, PlaneSet, clip_triangle},
+    cull::{CullMode, Facing, FrontFace, facing, frustum::triangle_outside},
+    math::Tally,
+    scene::{Draw, Mesh, Shade, Transform},
+    transform::{Camera, DepthRange, Matrix, Projection, matrices},
+};
+use glam::DVec3;
+
+/// A point of a homogeneous space.
+pub type Point = [f32; 4];
+
+/// What culling decided about a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Decision {
+    /// How it stands to the eye; `None` if the frustum decided before.
+    pub facing: Option<Facing>,
+    /// A plane that it lies wholly outside of, if that was looked for.
+    pub outside: Option<Plane>,
+    /// What becomes of it.
+    pub fate: Fate,
+}
+
+/// What becomes of a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// It goes on and is drawn.
+    Drawn,
+    /// It is not drawn, but the skip that drops it here is off: its fragments are dropped.
+    Carried,
+    /// It ends here.
+    Dropped,
+}
+
+/// The draw's state that decides about its triangles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct CullKey {
+    pub(super) mode: CullMode,
+    pub(super) front: FrontFace,
+    pub(super) range: DepthRange,
+    pub(super) frustum: bool,
+    pub(super) back_face: bool,
+    pub(super) degenerate: bool,
+}
+
+impl CullKey {
+    pub(super) fn new(draw: &Draw, range: DepthRange, skips: Skips) -> Self {
+        Self {
+            mode: draw.cull,
+            front: draw.front,
+            range,
+            frustum: skips.has(Skip::Frustum),
+            back_face: skips.has(Skip::BackFace),
+            degenerate: skips.has(Skip::Degenerate),
+        }
+    }
+
+    /// Decides about one triangle in clip space, by its unclipped vertices.
+    pub(super) fn decide(&self, clip: [Point; 3], tally: &mut Tally) -> Decision {
+        let outside = if self.frustum { triangle_outside(clip, self.range) } else { None };
+        if outside.is_some() {
+            return Decision { facing: None, outside, fate: Fate::Dropped };
+        }
+        let facing = facing(clip, self.front, tally);
+        let skip = if facing == Facing::Degenerate { self.degenerate } else { self.back_face };
+        let fate = match (self.mode.drops(facing), skip) {
+            (false, _) => Fate::Drawn,
+            (true, true) => Fate::Dropped,
+            (true, false) => Fate::Carried,
+        };
+        Decision { facing: Some(facing), outside, fate }
+    }
+}
+
+/// The decisions about all triangles of a draw.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Culled {
+    /// One for each triangle.
+    pub decisions: Vec<Decision>,
+    /// Signs asked for.
+    pub tally: Tally,
+}
+
+pub(super) fn cull(key: &CullKey, clip: &[Point], mesh: &Mesh) -> Culled {
+    let mut tally = Tally::default();
+    let corners = |triangle: &[u32; 3]| triangle.map(|i| clip[i as usize]);
+    // No vertex was transformed if the whole object is outside.
+    let triangles = if clip.is_empty() { &[] } else { &mesh.triangles[..] };
+    let decisions = triangles.iter().map(|triangle| key.decide(corners(triangle), &mut tally)).collect();
+    Culled { decisions, tally }
+}
+
+/// What clipping left of one triangle: a convex polygon.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ClippedPolygon {
+    /// Which triangle of the mesh.
+    pub triangle: u32,
+    /// The first of its corners.
+    pub first: u32,
+    /// How many corners it has.
+    pub len: u32,
+    /// Whether a plane cut it.
+    pub cut: bool,
+    /// Whether its fragments are dropped.
+    pub carried: bool,
+}
+
+/// A triangle of the fan of a clipped polygon: what is scan converted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Piece {
+    /// Its corners.
+    pub corners: [u32; 3],
+    /// Which triangle of the mesh.
+    pub triangle: u32,
+    /// Which part of it, from 0.
+    pub part: u32,
+    /// Whether its fragments are dropped.
+    pub carried: bool,
+}
+
+/// The clipped triangles of a draw.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Clipped {
+    /// Those of which something is left.
+    pub polygons: Vec<ClippedPolygon>,
+    /// Their fans.
+    pub pieces: Vec<Piece>,
+    /// The polygons' corners in clip space, one polygon after the other.
+    pub corners: Vec<Point>,
+    /// The colour at each corner.
+    pub colors: Vec<[f32; 4]>,
+    /// The texture coordinates at each corner, or none at all.
+    pub uvs: Vec<[f32; 2]>,
+    /// Triangles of which nothing was left.
+    pub lost: usize,
+    /// Signs and roundings asked for.
+    pub tally: Tally,
+}
+
+pub(super) fn clip(culled: &Culled, clip: &[Point], mesh: &Mesh, range: DepthRange) -> Clipped {
+    let mut out = Clipped::default();
+    for (index, decision) in (0..).zip(&culled.decisions) {
+        if decision.fate == Fate::Dropped {
+            continue;
+        }
+        if !out.push(index, decision.fate == Fate::Carried, clip, mesh, range) {
+            out.lost += 1;
+        }
+    }
+    out
+}
+
+impl Clipped {
+    /// Clips one triangle; `false` if nothing is left of it.
+    pub(super) fn push(
+        &mut self,
+        triangle: u32,
+        carried: bool,
+        clip: &[Point],
+        mesh: &Mesh,
+        range: DepthRange,
+    ) -> bool {
+        let indices = mesh.triangles[triangle as usize].map(|i| i as usize);
+        let polygon = clip_triangle(indices.map(|i| clip[i]), range, PlaneSet::All, &mut self.tally);
+        let corners = polygon.corners();
+        // Where w rounds to zero there is no place on the screen: the eye's own point.
+        if corners.is_empty() || corners.iter().any(|corner| corner.position[3] == 0.0) {
+            return false;
+        }
+        let first = self.corners.len() as u32;
+        self.corners.extend(corners.iter().map(|corner| corner.position));
+        let colors = indices.map(|i| mesh.colors[i]);
+        let uvs = (!mesh.uvs.is_empty()).then(|| indices.map(|i| mesh.uvs[i]));
+        if polygon.is_whole() {
+            self.colors.extend(colors);
+            self.uvs.extend(uvs.into_iter().flatten());
+        } else {
+            for corner in corners {
+                let mut attribute = |values| polygon.attribute(corner, values, &mut self.tally);
+                self.colors.push([0, 1, 2, 3].map(|channel| attribute(colors.map(|color| color[channel]))));
+                self.uvs.extend(uvs.map(|uvs| [0, 1].map(|axis| attribute(uvs.map(|uv| uv[axis])))));
+            }
+        }
+        let (len, cut) = (corners.len() as u32, !polygon.is_whole());
+        self.polygons.push(ClippedPolygon { triangle, first, len, cut, carried });
+        self.pieces.extend((0..).zip(polygon.fan()).map(|(part, fan)| {
+            let corners = fan.map(|i| first + i as u32);
+            Piece { corners, triangle, part, carried }
+        }));
+        true
+    }
+}
+
+/// The matrix that a draw's transform stands for.
+pub fn model_matrix(transform: &Transform) -> Matrix {
+    match *transform {
+        Transform::Parts { translate, rotate_degrees, scale } => {
+            matrices::model(translate, rotate_degrees, scale)
+        }
+        Transform::Matrix(matrix) => matrix,
+    }
+}
+
+/// One factor for each triangle: `(1 + 3 |n . e|) / 4` with its unit normal n in world space and the
+/// unit direction e from its centroid to the eye; for an orthographic camera, against the line of sight.
+///
+/// So what faces the eye keeps its colour and what is edge-on keeps a quarter; both sides alike. 1 for a
+/// triangle without area. In binary64, rounded once.
+pub(super) fn shade(shade: Shade, world: &[Point], mesh: &Mesh, camera: &Camera) -> Vec<f32> {
+    if shade == Shade::None || world.is_empty() {
+        return Vec::new();
+    }
+    let wide = |p: [f32; 3]| DVec3::from_array(p.map(f64::from));
+    let (eye, target) = (wide(camera.eye), wide(camera.target));
+    let factor = |triangle: &[u32; 3]| {
+        let [a, b, c] = triangle.map(|i| {
+            let [x, y, z, _] = world[i as usize];
+            wide([x, y, z])
+        });
+        let normal = (b - a).cross(c - a);
+        let to_eye = match camera.projection {
+            Projection::Perspective { .. } => eye - (a + b + c) / 3.0,
+            Projection::Orthographic { .. } => eye - target,
+        };
+        let lengths = normal.length() * to_eye.length();
+        if lengths > 0.0 {
+            ((1.0 + 3.0 * normal.dot(to_eye).abs() / lengths) / 4.0).min(1.0) as f32
+        } else {
+            1.0
+        }
+    };
+    mesh.triangles.iter().map(factor).collect()
+}

@@ -1,0 +1,93 @@
+//! The presets and models that are part of the program.
+
+/// A scene file that is part of the program: a special case, and one sentence why it matters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Preset {
+    /// Its name on the command line; the words for it are the messages `preset-NAME-name` and
+    /// `preset-NAME`.
+    pub name: &'static str,
+    /// The scene file.
+    pub json: &'static str,
+}
+
+macro_rules! presets {
+    ($($name:literal)*) => {
+        &[$(Preset { name: $name, json: include_str!(concat!("../../../assets/scenes/", $name, ".json")) }),*]
+    };
+}
+
+macro_rules! models {
+    ($($file:literal)*) => {
+        &[$(($file, include_bytes!(concat!("../../../assets/models/", $file)))),*]
+    };
+}
+
+/// All presets, in the order in which they are shown: scenes first, the default one at the
+/// beginning, then lab by lab.
+pub const PRESETS: &[Preset] = presets! {
+    "two-through-each-other"
+    "acceptance-square"
+    "shared-edges-through-centres"
+    "near-plane"
+    "behind-the-eye"
+    "sliver"
+    "zero-area"
+    "edge-on"
+    "mirrored"
+    "off-screen-huge"
+    "cyclic-overlap"
+    "z-fighting"
+    "reversed-depth"
+    "checkered-square"
+    "order-of-blending"
+    "stencil-mask"
+    "outline"
+    "tetrahedron"
+    "cube"
+    "pawn"
+    "trefoil"
+    "spheres"
+    "line-three-cuts"
+    "line-inside"
+    "line-same-side"
+    "line-looks-hidden"
+    "line-passes-by"
+    "line-touches-a-corner"
+    "line-along-a-border"
+    "span-left-tie"
+    "span-apex-on-a-row"
+    "span-shared-diagonal"
+    "span-needle"
+    "span-flat-top"
+    "span-flat-bottom"
+    "depth-two-triangles"
+    "depth-equal"
+    "depth-through"
+    "depth-behind"
+    "depth-order"
+    "vertex-perspective"
+    "vertex-orthographic"
+    "vertex-behind-the-eye"
+    "vertex-minus-one-to-one"
+    "vertex-rotated-model"
+};
+
+/// All models, by the file name that scenes use. Of our own making: see
+/// `examples/make_models.rs`.
+pub const MODELS: &[(&str, &[u8])] = models! {
+    "cube.obj"
+    "tetrahedron.obj"
+    "icosphere.obj"
+    "pawn.obj"
+    "trefoil.obj"
+};
+
+/// The preset called `name`.
+pub fn preset(name: &str) -> Option<&'static Preset> {
+    PRESETS.iter().find(|preset| preset.name == name)
+}
+
+/// The bytes of the model called `name`.
+pub fn model(name: &str) -> Option<&'static [u8]> {
+    MODELS.iter().find(|(file, _)| *file == name).map(|(_, bytes)| *bytes)
+}

@@ -1,0 +1,219 @@
+//! What no single field can tell: ranges, counts and combinations.
+//!
+//! Works on the document, so that an edited scene is held to the same rules as a file.
+
+use super::{
+    document::{Draw, Geometry, LabInput, Mesh, Scene, Texture, Transform},
+    error::{Problem, SceneError},
+    path::FieldError,
+};
+use crate::{
+    math::Arithmetic,
+    transform::{Camera, Projection},
+};
+
+/// Largest width and height of an image.
+pub const MAX_SIDE: u32 = 16384;
+/// Largest number of pixels of an image.
+pub const MAX_PIXELS: u32 = 1 << 28;
+
+type Checked = Result<(), FieldError>;
+
+impl Scene {
+    /// Whether the scene makes sense. Cost: linear in its numbers.
+    ///
+    /// # Errors
+    /// The path of the first bad field, in the order of the file.
+    pub fn validate(&self) -> Result<(), SceneError> {
+        self.check().map_err(SceneError::from)
+    }
+
+    fn check(&self) -> Checked {
+        let [width, height] = self.size;
+        for (i, side) in [width, height].into_iter().enumerate() {
+            if !(1..=MAX_SIDE).contains(&side) {
+                let range = Problem::Range { min: 1.0, max: f64::from(MAX_SIDE) };
+                return Err(FieldError::at(i, range).within("size"));
+            }
+        }
+        // Both sides are at most 2^14, so the product cannot overflow.
+        refuse_if(width * height > MAX_PIXELS, "size", Problem::TooManyPixels { limit: MAX_PIXELS })?;
+        each_in_unit(&self.clear.color).map_err(|e| e.within("color").within("clear"))?;
+        unit(self.clear.depth).map_err(|e| e.within("depth").within("clear"))?;
+        camera(&self.camera).map_err(|e| e.within("camera"))?;
+        refuse_if(self.samples != 1, "samples", Problem::Samples)?;
+        for (i, item) in self.draws.iter().enumerate() {
+            draw(item).map_err(|e| e.within(i).within("draws"))?;
+        }
+        match &self.lab {
+            Some(lab) => self.lab_input(&lab.input).map_err(|e| e.within("lab")),
+            None => Ok(()),
+        }
+    }
+
+    fn lab_input(&self, input: &LabInput) -> Checked {
+        match input {
+            LabInput::CohenSutherland { window, segment, arithmetic } => {
+                each_finite(window).map_err(|e| e.within("window"))?;
+                let [xmin, ymin, xmax, ymax] = *window;
+                refuse_if(xmin > xmax || ymin > ymax, "window", Problem::WindowReversed)?;
+                each_finite(segment).map_err(|e| e.within("segment"))?;
+                // Fixed point is for scan conversion.
+                let known = [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64];
+                let problem = Problem::UnknownName {
+                    name: arithmetic.name().into(),
+                    known: known.map(Arithmetic::name).to_vec(),
+                };
+                refuse_if(!known.contains(arithmetic), "arithmetic", problem)
+            }
+            LabInput::Scanline { vertices, .. } => match vertices {
+                Some(vertices) => rows("vertices", vertices, finite),
+                None => Ok(()),
+            },
+            LabInput::ZBuffer { triangles } => {
+                for (i, triangle) in triangles.iter().flatten().enumerate() {
+                    for (j, vertex) in triangle.iter().enumerate() {
+                        each_finite(vertex).map_err(|e| e.within(j).within(i).within("triangles"))?;
+                    }
+                }
+                Ok(())
+            }
+            LabInput::Transform { draw, vertex } => {
+                let range = |count: usize| {
+                    #[expect(clippy::cast_precision_loss, reason = "a limit to be shown")]
+                    let max = count.saturating_sub(1) as f64;
+                    Problem::Range { min: 0.0, max }
+                };
+                let Some(chosen) = self.draws.get(*draw) else {
+                    return Err(FieldError::at("draw", range(self.draws.len())));
+                };
+                let vertices = chosen.geometry.mesh().map(|mesh| mesh.positions.len());
+                match vertices {
+                    Some(count) => refuse_if(*vertex >= count, "vertex", range(count)),
+                    None => Ok(()),
+                }
+            }
+            LabInput::Pipeline => Ok(()),
+        }
+    }
+}
+
+fn refuse_if(wrong: bool, field: &str, problem: Problem) -> Checked {
+    if wrong { Err(FieldError::at(field, problem)) } else { Ok(()) }
+}
+
+fn finite(value: f32) -> Checked {
+    if value.is_finite() { Ok(()) } else { Err(FieldError::here(Problem::NotFinite)) }
+}
+
+fn unit(value: f32) -> Checked {
+    finite(value)?;
+    if (0.0..=1.0).contains(&value) {
+        Ok(())
+    } else {
+        Err(FieldError::here(Problem::Range { min: 0.0, max: 1.0 }))
+    }
+}
+
+fn each(values: &[f32], check: fn(f32) -> Checked) -> Checked {
+    values.iter().enumerate().try_for_each(|(i, value)| check(*value).map_err(|e| e.within(i)))
+}
+
+fn each_finite(values: &[f32]) -> Checked {
+    each(values, finite)
+}
+
+/// Whether all values lie in 0..=1, as colours must.
+pub(super) fn each_in_unit(values: &[f32]) -> Checked {
+    each(values, unit)
+}
+
+fn rows<const N: usize>(field: &str, rows: &[[f32; N]], check: fn(f32) -> Checked) -> Checked {
+    rows.iter().enumerate().try_for_each(|(i, row)| each(row, check).map_err(|e| e.within(i).within(field)))
+}
+
+fn camera(camera: &Camera) -> Checked {
+    for (field, vector) in [("eye", camera.eye), ("target", camera.target), ("up", camera.up)] {
+        each_finite(&vector).map_err(|e| e.within(field))?;
+    }
+    let [eye, target, up] = [camera.eye, camera.target, camera.up].map(|v| v.map(f64::from));
+    refuse_if(eye == target, "target", Problem::EyeIsTarget)?;
+    // Scaled to 1 so that no product vanishes or overflows.
+    let along = scaled([0, 1, 2].map(|i| target[i] - eye[i]));
+    let up = scaled(up);
+    let cross = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| along[i] * up[j] - along[j] * up[i]);
+    refuse_if(cross == [0.0; 3], "up", Problem::UpParallel)?;
+    finite(camera.near).map_err(|e| e.within("near"))?;
+    finite(camera.far).map_err(|e| e.within("far"))?;
+    match camera.projection {
+        Projection::Perspective { fovy_degrees } => {
+            refuse_if(camera.near <= 0.0, "near", Problem::NotPositive)?;
+            let wrong = !(fovy_degrees > 0.0 && fovy_degrees < 180.0);
+            refuse_if(wrong, "fovy_degrees", Problem::FieldOfView).map_err(|e| e.within("projection"))?;
+        }
+        Projection::Orthographic { height } => {
+            finite(height)
+                .and_then(
+                    |()| if height > 0.0 { Ok(()) } else { Err(FieldError::here(Problem::NotPositive)) },
+                )
+                .map_err(|e| e.within("height").within("projection"))?;
+        }
+    }
+    refuse_if(camera.far <= camera.near, "far", Problem::FarBeforeNear)
+}
+
+/// The vector divided by its largest component; zero stays zero.
+fn scaled(vector: [f64; 3]) -> [f64; 3] {
+    let largest = vector.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    if largest > 0.0 { vector.map(|x| x / largest) } else { vector }
+}
+
+fn draw(draw: &Draw) -> Checked {
+    match &draw.geometry {
+        Geometry::Mesh(mesh) => check_mesh(mesh)?,
+        Geometry::Model { color, .. } => {
+            if let Some(color) = color {
+                each_in_unit(color).map_err(|e| e.within("color"))?;
+            }
+        }
+    }
+    let parts: &[(&str, &[f32])] = match &draw.transform {
+        Transform::Parts { translate, rotate_degrees, scale } => {
+            &[("translate", translate), ("rotate_degrees", rotate_degrees), ("scale", scale)]
+        }
+        Transform::Matrix(matrix) => &[("matrix", matrix)],
+    };
+    for (field, values) in parts {
+        each_finite(values).map_err(|e| e.within(*field).within("transform"))?;
+    }
+    if let Some(Texture::Checker { squares }) = draw.texture {
+        refuse_if(squares == 0, "squares", Problem::NotPositive).map_err(|e| e.within("texture"))?;
+        let bare = draw.geometry.mesh().is_some_and(|mesh| mesh.uvs.is_empty() && !mesh.triangles.is_empty());
+        refuse_if(bare, "texture", Problem::NoTextureCoordinates)?;
+    }
+    Ok(())
+}
+
+fn check_mesh(mesh: &Mesh) -> Checked {
+    rows("vertices", &mesh.positions, finite)?;
+    let vertices = mesh.positions.len();
+    for (i, triangle) in mesh.triangles.iter().enumerate() {
+        for (j, index) in triangle.iter().copied().enumerate() {
+            if usize::try_from(index).map_or(true, |index| index >= vertices) {
+                let problem = Problem::NoSuchVertex { index, vertices };
+                return Err(FieldError::at(j, problem).within(i).within("indices"));
+            }
+        }
+    }
+    let counts = [
+        ("colors", mesh.colors.len(), true),
+        ("uvs", mesh.uvs.len(), !mesh.uvs.is_empty()),
+        ("normals", mesh.normals.len(), !mesh.normals.is_empty()),
+    ];
+    for (field, found, there) in counts {
+        refuse_if(there && found != vertices, field, Problem::NotOneEach { found, vertices })?;
+    }
+    rows("colors", &mesh.colors, unit)?;
+    rows("uvs", &mesh.uvs, finite)?;
+    rows("normals", &mesh.normals, finite)
+}

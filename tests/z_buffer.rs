@@ -1,0 +1,147 @@
+//! The z-buffer: laws, golden logs, and an oracle that asks every triangle at every pixel.
+
+use crate::support::{Coverage, Random, check_golden, check_laws, covered, log_text, plane_value};
+use rasterscope_core::{
+    depth::{
+        CompareFunction, DepthFormat, DepthState,
+        z_buffer::{self, Event, Image, Settings, Snapshot, Triangle},
+    },
+    explain::Level,
+    math::{Arithmetic, Dyadic, Tally},
+    message::Value,
+    raster::Algorithm,
+    replay::{Budget, Playback},
+};
+
+/// The picture in LOOK: B goes through A.
+const A: Triangle = [[0.3, 0.7, 0.30], [7.8, 1.6, 0.78], [2.2, 6.8, 0.46]];
+const B: Triangle = [[7.7, 0.4, 0.22], [7.2, 6.3, 0.44], [0.6, 5.2, 0.74]];
+
+fn run(triangles: &[Triangle], settings: &Settings) -> (Image, Vec<Event>) {
+    let mut events = Vec::new();
+    let image = z_buffer::draw_traced(triangles, settings, &mut Tally::default(), &mut events);
+    (image, events)
+}
+
+/// Which triangle each pixel shows.
+fn picture(image: &Image) -> String {
+    let [width, _] = image.depth.size();
+    let letters: Vec<char> =
+        image.owners.iter().map(|owner| owner.map_or('.', |n| char::from(b'A' + n as u8))).collect();
+    letters.chunks(width as usize).map(|row| row.iter().collect::<String>()).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn interpenetrating_triangles_split_along_their_common_line() {
+    let expected = [
+        "........", //
+        ".AAAAABB", ".AAAABBB", ".AAABBB.", ".AAABBB.", "..AABBB.", "..A.....",
+    ]
+    .join("\n");
+    let settings = Settings { format: DepthFormat::Unorm16, ..Settings::new([8, 7]) };
+    assert_eq!(picture(&z_buffer::draw(&[A, B], &settings)), expected);
+    assert_eq!(
+        picture(&z_buffer::draw(&[B, A], &settings)),
+        expected.replace('A', "?").replace('B', "A").replace('?', "B")
+    );
+}
+
+#[test]
+fn two_triangles_step_by_step() {
+    for (name, format) in [("f32", DepthFormat::F32), ("unorm16", DepthFormat::Unorm16)] {
+        let (_, events) = run(&[A, B], &Settings { format, ..Settings::new([8, 7]) });
+        check_golden(&format!("z_buffer/{name}"), &log_text(&events));
+    }
+}
+
+#[test]
+fn zero_area_draws_nothing() {
+    let sliver = [[0.5, 0.5, 0.1], [3.5, 3.5, 0.1], [6.5, 6.5, 0.1]];
+    let (image, events) = run(&[sliver], &Settings::new([8, 7]));
+    assert_eq!(events, [Event::Triangle { index: 0 }, Event::Done { passed: 0, failed: 0 }]);
+    assert!(image.owners.iter().all(Option::is_none));
+}
+
+#[test]
+fn pass_step_says_before_arrives_and_after() {
+    let settings = Settings { format: DepthFormat::Unorm16, ..Settings::new([8, 7]) };
+    let mut player = z_buffer::play(vec![A, B], settings, Budget::default());
+    player.seek(player.len());
+    while player.sentence().args[1..3] != [("x", Value::Int(4)), ("y", Value::Int(4))] {
+        player.back(Level::Detail);
+    }
+    assert_eq!(player.sentence().id, "z-buffer-pass-nearer");
+    let codes: Vec<_> = player.tables()[0].rows.iter().map(|row| row.cells[2].clone()).collect();
+    assert_eq!(codes, [38689, 33961, 33961].map(Value::Int));
+}
+
+/// The least exact depth of all triangles that cover a pixel, rounded to the format.
+#[test]
+fn nearest_triangle_wins_whatever_the_order() {
+    let mut random = Random::new(31);
+    for round in 0..300 {
+        let algorithm = random.pick(&Algorithm::ALL);
+        let format = random.pick(&DepthFormat::ALL);
+        let settings = Settings { algorithm, format, ..Settings::new([9, 7]) };
+        let triangles: Vec<Triangle> = (0..4).map(|_| any_triangle(&mut random)).collect();
+        let image = z_buffer::draw(&triangles, &settings);
+        let mut nearest = vec![format.encode(1.0); 63];
+        for triangle in &triangles {
+            for span in covered(triangle.map(|[x, y, _]| [x, y]), &settings.raster) {
+                for x in span.begin..span.end {
+                    let stored = &mut nearest[(span.y * 9 + x) as usize];
+                    let (num, den) = plane_value(triangle, [x, span.y]);
+                    let code = match format.max_code() {
+                        None => Dyadic::ratio_to_f32(&num, &den).to_bits(),
+                        Some(max) => Dyadic::ratio_to_code(&num, &den, max),
+                    };
+                    if format.decode(code) < format.decode(*stored) {
+                        *stored = code;
+                    }
+                }
+            }
+        }
+        assert_eq!(image.depth.codes(), nearest, "round {round}: {triangles:?} {settings:?}");
+        let reversed: Vec<_> = triangles.iter().rev().copied().collect();
+        assert_eq!(z_buffer::draw(&reversed, &settings).depth, image.depth, "order matters");
+    }
+}
+
+fn any_triangle(random: &mut Random) -> Triangle {
+    let steps = random.below(2) == 0;
+    let mut coordinate = |high: f32| {
+        if steps { random.below(2 * high as u32) as f32 / 2.0 } else { random.uniform(-1.0, high + 1.0) }
+    };
+    [0; 3].map(|_| [coordinate(9.0), coordinate(7.0), coordinate(16.0) / 16.0])
+}
+
+#[test]
+fn keeps_the_laws() {
+    let mut random = Random::new(32);
+    let mut coverage = Coverage::default();
+    for _ in 0..120 {
+        let mut settings = Settings {
+            algorithm: random.pick(&Algorithm::ALL),
+            format: random.pick(&DepthFormat::ALL),
+            clear: random.pick(&[1.0, 0.5, 0.0]),
+            state: DepthState {
+                test: random.below(5) > 0,
+                compare: random.pick(&CompareFunction::ALL),
+                write: random.below(4) > 0,
+            },
+            ..Settings::new([9, 7])
+        };
+        settings.raster.arithmetic = random.pick(&Arithmetic::ALL);
+        let triangles: Vec<Triangle> = (0..3).map(|_| any_triangle(&mut random)).collect();
+        let fast = z_buffer::draw(&triangles, &settings);
+        let (traced, events) = run(&triangles, &settings);
+        check_laws(
+            (&fast, &traced),
+            &events,
+            |budget| z_buffer::play(triangles.clone(), settings, budget),
+            |state: &Snapshot| state.result().clone(),
+            &mut coverage,
+        );
+    }
+    coverage.check_every_line::<Snapshot>();
+}

@@ -38,14 +38,14 @@ macro_rules! language {
 pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
     "labs"
-    "scene"
+    "figure"
     "ui"
-    "transform"
+    "cli"
     "cohen-sutherland"
     "scanline"
+    "scene"
+    "transform"
     "z-buffer"
-    "figure"
-    "cli"
 )];
 
 /// The words of one language.

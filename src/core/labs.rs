@@ -130,9 +130,5 @@ pub fn play(scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message>
 
 /// The scene's conventions of scan conversion.
 fn scan_settings(scene: &Scene) -> raster::Settings {
-    raster::Settings {
-        fill_rule: scene.fill_rule,
-        y_axis: scene.y_axis,
-        ..raster::Settings::new(scene.size)
-    }
+    raster::Settings { fill_rule: scene.fill_rule, y_axis: scene.y_axis, ..raster::Settings::new(scene.size) }
 }

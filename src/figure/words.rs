@@ -42,6 +42,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "ui"
     "cli"
     "cohen-sutherland"
+    "pipeline"
     "scanline"
     "scene"
     "transform"

@@ -40,7 +40,8 @@ impl Lab for Scanline {
 
     fn handles(&self, document: &Document) -> Vec<Handle> {
         let LabInput::Scanline { vertices: Some(vertices), .. } = document.input() else { return Vec::new() };
-        let corner = |(i, at): (usize, &[f32; 2])| Handle { name: format!("V{i}"), at: *at, kind: Kind::Point };
+        let corner =
+            |(i, at): (usize, &[f32; 2])| Handle { name: format!("V{i}"), at: *at, kind: Kind::Point };
         vertices.iter().enumerate().map(corner).collect()
     }
 

@@ -32,7 +32,8 @@ impl Lab for Transform {
         heading(ui, face, &face.say("ui-vertex"));
         choices::choose(ui, face, "ui-object", &mut draw, &names);
         choices::index(ui, face, "ui-vertex", &mut vertex);
-        if let Some(Geometry::Mesh(mesh)) = document.scene.draws.get_mut(draw).map(|draw| &mut draw.geometry) {
+        if let Some(Geometry::Mesh(mesh)) = document.scene.draws.get_mut(draw).map(|draw| &mut draw.geometry)
+        {
             vertex = vertex.min(mesh.positions.len().saturating_sub(1));
             if let Some(position) = mesh.positions.get(vertex) {
                 let mut moved = *position;

@@ -43,7 +43,11 @@ fn presets(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
             let out = rect.expand2(vec2(6.0, 0.0));
             if chosen {
                 ui.painter().rect_filled(out, 0, face.look.raised);
-                ui.painter().rect_filled(Rect::from_min_size(out.min, vec2(4.0, out.height())), 0, face.look.text);
+                ui.painter().rect_filled(
+                    Rect::from_min_size(out.min, vec2(4.0, out.height())),
+                    0,
+                    face.look.text,
+                );
             }
             let font = face.look.font(if chosen { Text::LabelStrong } else { Text::Label });
             let color = if chosen { face.look.text } else { face.look.dim };

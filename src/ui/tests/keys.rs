@@ -98,8 +98,13 @@ fn tab_reaches_a_handle_and_arrows_move_it() {
     };
     let moved = handles(&window).into_iter().find(|handle| handle.name == "P1").expect("it is there");
     let app = window.state().app();
-    let old = app.labs[app.lab()].handles(&before).into_iter().find(|handle| handle.name == "P1").expect("it was");
+    let old =
+        app.labs[app.lab()].handles(&before).into_iter().find(|handle| handle.name == "P1").expect("it was");
     assert_eq!(moved.at, [old.at[0] + 0.5, old.at[1]], "half a unit to the right");
-    assert_eq!(cursor(&window), len(&window), "the arrow moved the handle, not the step; at the end it stays there");
+    assert_eq!(
+        cursor(&window),
+        len(&window),
+        "the arrow moved the handle, not the step; at the end it stays there"
+    );
     assert!(at > 0);
 }

@@ -21,7 +21,10 @@ struct Memory {
 
 impl Platform for Memory {
     fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
-        self.files.get(path).cloned().ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "there is no such file"))
+        self.files
+            .get(path)
+            .cloned()
+            .ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "there is no such file"))
     }
 
     fn write(&mut self, path: &str, bytes: &[u8]) -> io::Result<()> {

@@ -28,7 +28,8 @@ impl TestRenderer for CpuPainter {
                 let nearest = patch.options.magnification == TextureFilter::Nearest;
                 let [x0, y0] = patch.pos.unwrap_or_default();
                 if patch.pos.is_none() {
-                    self.textures.insert(id, Texture { size: image.size, pixels: image.pixels.clone(), nearest });
+                    self.textures
+                        .insert(id, Texture { size: image.size, pixels: image.pixels.clone(), nearest });
                 } else if let Some(texture) = self.textures.get_mut(&id) {
                     for (y, row) in image.pixels.chunks_exact(image.size[0]).enumerate() {
                         let at = (y0 + y) * texture.size[0] + x0;
@@ -64,7 +65,9 @@ fn draw(image: &mut RgbaImage, mesh: &Mesh, texture: &Texture, clip: Rect, scale
     for corners in mesh.indices.chunks_exact(3) {
         let [a, b, c] = [0, 1, 2].map(|i| &mesh.vertices[corners[i] as usize]);
         let [pa, pb, pc] = [a, b, c].map(|vertex| [vertex.pos.x * scale, vertex.pos.y * scale]);
-        let edge = |p: [f32; 2], q: [f32; 2], r: [f32; 2]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+        let edge = |p: [f32; 2], q: [f32; 2], r: [f32; 2]| {
+            (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+        };
         let area = edge(pa, pb, pc);
         if area == 0.0 {
             continue;

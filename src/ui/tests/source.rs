@@ -17,7 +17,14 @@ fn no_other_file_makes_a_colour_or_names_a_font_size() {
             }
             seen += 1;
             let text = std::fs::read_to_string(&path).expect("it is text");
-            for word in ["Color32::from_", "from_rgb(", "FontId::proportional", "FontId::monospace", ".size(1", ".size(2"] {
+            for word in [
+                "Color32::from_",
+                "from_rgb(",
+                "FontId::proportional",
+                "FontId::monospace",
+                ".size(1",
+                ".size(2",
+            ] {
                 assert!(!text.contains(word), "{}: {word}", path.display());
             }
         }

@@ -39,13 +39,14 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
     "labs"
     "scene"
+    "ui"
+    "pipeline"
     "transform"
     "cohen-sutherland"
     "scanline"
     "z-buffer"
     "figure"
     "cli"
-    "ui"
 )];
 
 /// The words of one language.

@@ -43,6 +43,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "pipeline"
     "transform"
     "cohen-sutherland"
+    "aabb"
     "scanline"
     "z-buffer"
     "figure"

@@ -28,6 +28,9 @@ pub(crate) struct Cells {
     format: ColumnFormat,
     /// Spans of the current step by row.
     spans: BTreeMap<i32, [f32; 2]>,
+    /// The mark whose value a pixel shows, and the one whose object it wears: the last.
+    values: BTreeMap<[i32; 2], usize>,
+    objects: BTreeMap<[i32; 2], usize>,
     /// Pixels that have a mark.
     pub(crate) taken: BTreeSet<[i32; 2]>,
     /// Rows and columns of the current step.
@@ -43,13 +46,21 @@ impl Cells {
         let mut cells = Self {
             format: ColumnFormat::of(values, CELL_DECIMALS),
             spans: BTreeMap::new(),
+            values: BTreeMap::new(),
+            objects: BTreeMap::new(),
             taken: BTreeSet::new(),
             lit: crate::grid::Lit::default(),
         };
-        for mark in marks {
+        for (index, mark) in marks.iter().enumerate() {
             match mark {
-                Mark::Pixel { at, role, .. } => {
+                Mark::Pixel { at, role, object, value } => {
                     cells.taken.insert(*at);
+                    if object.is_some() {
+                        cells.objects.insert(*at, index);
+                    }
+                    if *value != Value::None {
+                        cells.values.insert(*at, index);
+                    }
                     if *role == Role::Active {
                         cells.lit.columns.insert(at[0].into());
                         cells.lit.rows.insert(at[1].into());
@@ -75,11 +86,17 @@ impl Cells {
         p[1] - row == 0.5 && self.spans.get(&(row as i32)).is_some_and(|ends| ends.contains(&p[0]))
     }
 
-    pub(crate) fn pixel(&self, canvas: &mut Canvas<'_>, mark: &Mark) {
+    /// Draws the pixel that is mark number `index`.
+    pub(crate) fn pixel(&self, canvas: &mut Canvas<'_>, index: usize, mark: &Mark) {
         let Mark::Pixel { at, role, object, value } = mark else { return };
         let Some(rect) = cell_rect(canvas, *at, [1, 1]) else { return };
-        let ground = fill(canvas, rect, *role, *object);
-        let shown = *value != Value::None && self.value(canvas, rect, *role, *object, value, ground);
+        let covered = self.objects.get(at).is_some_and(|&last| last != index);
+        let ground = fill(canvas, rect, *role, *object, covered);
+        let shown = match self.values.get(at) {
+            Some(&last) if last == index => self.value(canvas, rect, *role, *object, value, ground),
+            Some(_) => canvas.placement.scale >= VALUES,
+            None => false,
+        };
         self.marks(canvas, rect, *at, *role, shown);
     }
 
@@ -209,15 +226,17 @@ impl Cells {
     }
 }
 
-/// The fill of a pixel; answers what its value stands on.
-fn fill(canvas: &mut Canvas<'_>, rect: Rect, role: Role, object: Option<usize>) -> Color {
+/// The fill of a pixel, unless a later mark's object covers it; answers what its value stands on.
+fn fill(canvas: &mut Canvas<'_>, rect: Rect, role: Role, object: Option<usize>, covered: bool) -> Color {
     let theme = canvas.theme;
     let mut ground = theme.canvas;
     let mut paint = |canvas: &mut Canvas<'_>, color: Color| {
         ground = color.over(ground);
         run(canvas, rect, color);
     };
-    if let Some(index) = object {
+    if let Some(index) = object
+        && !covered
+    {
         let (color, repeated) = theme.object(index);
         paint(canvas, color.alpha(theme.object_alpha));
         if repeated {

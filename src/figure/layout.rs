@@ -55,7 +55,7 @@ pub fn draw_held(
             wishes.push(Wish { anchor, label: label.clone(), role });
         }
     };
-    for mark in marks {
+    for (index, mark) in marks.iter().enumerate() {
         match mark {
             Mark::Point { at, role, label } => {
                 let marked = *role == Role::Active && cells.ends_span(*at);
@@ -70,7 +70,7 @@ pub fn draw_held(
             Mark::Polygon { points, role, object, label } => {
                 wish(polygon(&mut canvas, view, points, *role, *object), label, *role);
             }
-            Mark::Pixel { .. } => cells.pixel(&mut canvas, mark),
+            Mark::Pixel { .. } => cells.pixel(&mut canvas, index, mark),
             Mark::Span { y, ends, role } => cells::span(&mut canvas, *y, *ends, *role),
             Mark::Text { at, label, role, big } => text(&mut canvas, *at, label, *role, *big),
             Mark::Image { size, rgba } => image(&mut canvas, *size, rgba),

@@ -43,7 +43,8 @@ fn literals() -> BTreeMap<String, PathBuf> {
         });
         if !aside {
             let source = fs::read_to_string(&path).unwrap();
-            all.extend(strings(&source).into_iter().map(|literal| (literal, path.clone())));
+            let path = path.strip_prefix(root()).unwrap_or(&path);
+            all.extend(strings(&source).into_iter().map(|literal| (literal, path.to_owned())));
         }
     }
     all

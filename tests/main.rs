@@ -10,6 +10,7 @@ mod house;
 mod interpolate;
 mod obj;
 mod pipeline;
+mod presets;
 mod replay;
 mod scanline;
 mod scene;

@@ -26,8 +26,8 @@ const CORNER: f64 = 40.0;
 /// What is known of all pixels before the first is drawn.
 pub(crate) struct Cells {
     format: ColumnFormat,
-    /// Rows of the current step: first pixel and end.
-    spans: BTreeMap<i32, [i32; 2]>,
+    /// Spans of the current step by row.
+    spans: BTreeMap<i32, [f32; 2]>,
     /// Pixels that have a mark.
     pub(crate) taken: BTreeSet<[i32; 2]>,
     /// Rows and columns of the current step.
@@ -56,13 +56,23 @@ impl Cells {
                     }
                 }
                 Mark::Span { y, ends, role: Role::Active } => {
-                    cells.spans.insert(*y, covered(*ends));
+                    cells.spans.insert(*y, *ends);
                     cells.lit.rows.insert((*y).into());
+                }
+                Mark::Guide { axis, at, role: Role::Active, .. } => {
+                    let lit = if *axis == 0 { &mut cells.lit.columns } else { &mut cells.lit.rows };
+                    lit.insert(at.floor() as i64);
                 }
                 _ => {}
             }
         }
         cells
+    }
+
+    /// Whether a span of the current step ends at `p`, so that its end is marked already.
+    pub(crate) fn ends_span(&self, p: [f32; 2]) -> bool {
+        let row = p[1].floor();
+        p[1] - row == 0.5 && self.spans.get(&(row as i32)).is_some_and(|ends| ends.contains(&p[0]))
     }
 
     pub(crate) fn pixel(&self, canvas: &mut Canvas<'_>, mark: &Mark) {
@@ -93,14 +103,18 @@ impl Cells {
         if cell < 10.0 {
             return;
         }
-        let in_active_span =
-            self.spans.get(&at[1]).is_some_and(|[first, end]| (*first..*end).contains(&at[0]));
+        let in_active_span = self.spans.get(&at[1]).is_some_and(|&ends| {
+            let [first, end] = covered(ends);
+            (first..end).contains(&at[0])
+        });
+        let loud = matches!(role, Role::Tie | Role::Changed);
+        canvas.small.push(if loud { rect } else { Rect::around(rect.center(), [10.0; 2]) });
         match role {
             Role::Active | Role::Neutral | Role::Changed => {}
             Role::Accepted | Role::Rejected if shown => {
                 if cell >= CORNER {
                     let radius = 6.5 + grown;
-                    let inset = f64::from(radius) + 3.0 + f64::from(grown);
+                    let inset = f64::from(radius) + 4.0 + f64::from(grown);
                     let corner = narrow([rect.max[0] - inset, rect.min[1] + inset]);
                     let shapes = marker(style.marker, corner, radius, style.color, theme.canvas);
                     canvas.extend(Layer::Handle, shapes);
@@ -171,6 +185,7 @@ impl Cells {
                 let shape = Canvas::rect_shape(plate_rect, 3.0, Some(plate.alpha(0.9)), None);
                 canvas.push(Layer::Plate, shape);
             }
+            canvas.kept_clear.push(Rect::around(center, style.measure()));
             canvas.text(Layer::Text, center, style);
         }
         true
@@ -240,13 +255,13 @@ fn run(canvas: &mut Canvas<'_>, rect: Rect, color: Color) {
 /// Outline of the pixel in hand: 3 points outside the cell, with a gap around it.
 fn selection(canvas: &mut Canvas<'_>, rect: Rect) {
     let width = 3.0 + canvas.theme.extra_stroke;
-    let wide = f64::from(width);
-    let gap = Stroke::solid(canvas.theme.canvas, width);
+    let gap = Stroke::solid(canvas.theme.canvas, width + 3.0);
     let line = Stroke::solid(canvas.theme.style(Role::Active).color, width);
-    for (out, stroke) in [(1.5 * wide, gap), (-0.5 * wide, gap), (0.5 * wide, line)] {
-        canvas.push(Layer::Selection, Canvas::rect_shape(rect.grown(out), 0.0, None, Some(stroke)));
+    let outline = rect.grown(f64::from(width) / 2.0);
+    for stroke in [gap, line] {
+        canvas.push(Layer::Selection, Canvas::rect_shape(outline, 0.0, None, Some(stroke)));
     }
-    canvas.kept_clear.push(rect.grown(2.0 * wide));
+    canvas.kept_clear.push(rect.grown(f64::from(width) + 2.0));
 }
 
 /// A half-open span on the centre line of its row.
@@ -265,12 +280,9 @@ pub(crate) fn span(canvas: &mut Canvas<'_>, y: i32, ends: [f32; 2], role: Role) 
             let color = canvas.active_fill();
             canvas.push(Layer::Fill, Canvas::rect_shape(rect, 0.0, Some(color), None));
         }
-        let across = [[canvas.rect.min[0], left[1]], [canvas.rect.max[0], left[1]]];
-        let stroke = Stroke { color: style.color, width: 1.0, dash: &[3.0, 3.0], phase: 0.0 };
-        canvas.line(Layer::Outline, &across, false, stroke);
     }
     canvas.role_line(&[left, right], false, role);
-    let layer = if role == Role::Active { Layer::ActiveHandle } else { Layer::Handle };
+    let layer = Layer::Handle;
     let grown = canvas.theme.extra_stroke;
     if canvas.sees(left) {
         canvas.push(layer, disc(narrow(left), 5.0 + grown, style.color));

@@ -68,6 +68,7 @@ fn pixels(canvas: &mut Canvas<'_>, view: &View, taken: &BTreeSet<[i32; 2]>, lit:
     if shown.min[0] > shown.max[0] || shown.min[1] > shown.max[1] {
         return;
     }
+    canvas.frame = shown;
     // From one cell to the next number on the ruler, and to the next emphasised line.
     let ruler = if cell >= EVERY_CELL { 1 } else { ruler_step(cell) };
     let major = if cell >= EVERY_CELL { i64::MAX } else { ruler };
@@ -194,7 +195,9 @@ fn ruler_numbers(
         let font = if now { Font::MonoBold } else { Font::Mono };
         let text = numbers::integer(i);
         let style = TextStyle { text: &text, font, size, color };
-        if Rect::around(center, style.measure()).inside(canvas.rect) {
+        let rect = Rect::around(center, style.measure());
+        if rect.inside(canvas.rect) {
+            canvas.kept_clear.push(rect);
             canvas.text(Layer::Text, center, style);
         }
     }

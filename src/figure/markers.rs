@@ -30,10 +30,10 @@ pub fn marker(marker: Marker, at: [f32; 2], radius: f32, color: Color, ground: C
             vec![disc(at, r, color), line(tick, ground, (r * 0.26).max(1.3))]
         }
         Marker::Cross => {
-            let r = r * 0.86;
+            let (r, thick) = (r * 0.86, thin * 1.2);
             vec![
-                line(vec![[x - r, y - r], [x + r, y + r]], color, thin),
-                line(vec![[x - r, y + r], [x + r, y - r]], color, thin),
+                line(vec![[x - r, y - r], [x + r, y + r]], color, thick),
+                line(vec![[x - r, y + r], [x + r, y - r]], color, thick),
             ]
         }
         Marker::Ring => vec![ring(at, r - thin / 2.0, color, thin)],

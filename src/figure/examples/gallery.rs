@@ -90,6 +90,7 @@ fn scan_conversion() -> (View, Vec<Mark>) {
     for (y, first, end) in [(4, 4, 9), (5, 3, 10), (6, 3, 8), (7, 3, 5)] {
         marks.extend((first..end).map(|x| pixel([x, y], Role::Candidate, None)));
     }
+    marks.push(Mark::Guide { axis: 1, at: 4.5, role: Role::Active, label: None });
     marks.push(Mark::Span { y: 4, ends: [3.5, 9.125], role: Role::Active });
     for (ends, slope) in [([v0, v1], 1.25), ([v0, v2], -0.25), ([v1, v2], -3.25)] {
         let label = Some(Label::new("dx/dy", slope));
@@ -100,7 +101,7 @@ fn scan_conversion() -> (View, Vec<Mark>) {
     }
     for (x, name) in [(3.5, "x left"), (9.125, "x right")] {
         let label = Some(Label::new(name, x));
-        marks.push(Mark::Text { at: [x, 4.5], label: label.unwrap(), role: Role::Active, big: false });
+        marks.push(Mark::Point { at: [x, 4.5], role: Role::Active, label });
     }
     (View { min: [1.0, 0.0], max: [12.0, 9.0], y_up: false, grid: Grid::Pixels }, marks)
 }
@@ -116,7 +117,7 @@ fn depth() -> (View, Vec<Mark>) {
             let (role, object, value) = match (x, y) {
                 (4, 4) => (Role::Active, Some(1), value),
                 (6.., 1..3) | (4..7, 3) => (Role::Accepted, Some(1), value),
-                (3, 3) | (2..4, 4) => (Role::Rejected, Some(0), value),
+                (3, 3) | (3, 4) => (Role::Rejected, Some(0), value),
                 (1..6, 1..3) | (1..3, 3..5) => (Role::Neutral, Some(0), value),
                 _ => (Role::Neutral, None, 1.0),
             };

@@ -38,15 +38,15 @@ macro_rules! language {
 pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
     "labs"
-    "scene"
-    "ui"
-    "pipeline"
-    "transform"
-    "cohen-sutherland"
-    "scanline"
-    "z-buffer"
     "figure"
+    "ui"
     "cli"
+    "cohen-sutherland"
+    "pipeline"
+    "scanline"
+    "scene"
+    "transform"
+    "z-buffer"
 )];
 
 /// The words of one language.

@@ -4,15 +4,12 @@ use crate::{
     document::{Document, ViewState},
     face::Command,
     labs::{self, Lab},
+    overview::Overview,
     paint::Textures,
     platform::Platform,
     presets::{self, PresetInfo},
     run::Run,
-    shell::{
-        canvas::Canvas,
-        inspector::Digest,
-        notice::Notice,
-    },
+    shell::{canvas::Canvas, inspector::Digest, notice::Notice},
     theme::{self, Look},
 };
 use egui::{Context, Ui};
@@ -36,6 +33,7 @@ pub struct App {
     /// The scene that the run is of, and why there is no run.
     ran: Option<(Scene, Option<Message>)>,
     pub(crate) digest: Option<Digest>,
+    pub(crate) overview: Overview,
     pub(crate) canvas: Canvas,
     pub(crate) textures: Textures,
     pub(crate) labs: Vec<Box<dyn Lab>>,
@@ -64,6 +62,7 @@ impl App {
             run: Run::default(),
             ran: None,
             digest: None,
+            overview: Overview::default(),
             canvas: Canvas::default(),
             textures: Textures::default(),
             labs: labs::registry(),
@@ -76,6 +75,8 @@ impl App {
         };
         if let Some(first) = app.presets.first() {
             app.open_preset(first.name);
+            // What the window starts with is no edit.
+            app.history = History::default();
         }
         app
     }
@@ -113,6 +114,7 @@ impl App {
     /// Starts the run anew if what it depends on has changed.
     pub(crate) fn update(&mut self) {
         let scene = &self.document.scene;
+        self.overview.update(scene, self.view.skips);
         if self.ran.as_ref().is_some_and(|(old, _)| old == scene) {
             return;
         }

@@ -6,7 +6,7 @@ use crate::{
     labs::Lab,
     shell::Frame,
     theme::Text,
-    widgets::{heading, row, text_in},
+    widgets::{down, heading, row, text_in},
 };
 use egui::{Align2, ComboBox, DragValue, Rect, ScrollArea, Ui, pos2, vec2};
 use rasterscope_core::{math::Arithmetic, message::Value};
@@ -43,7 +43,11 @@ fn presets(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
             let out = rect.expand2(vec2(6.0, 0.0));
             if chosen {
                 ui.painter().rect_filled(out, 0, face.look.raised);
-                ui.painter().rect_filled(Rect::from_min_size(out.min, vec2(4.0, out.height())), 0, face.look.text);
+                ui.painter().rect_filled(
+                    Rect::from_min_size(out.min, vec2(4.0, out.height())),
+                    0,
+                    face.look.text,
+                );
             }
             let font = face.look.font(if chosen { Text::LabelStrong } else { Text::Label });
             let color = if chosen { face.look.text } else { face.look.dim };
@@ -72,6 +76,7 @@ pub(crate) fn choose<T: Copy + PartialEq>(
         let combo = ComboBox::from_id_salt(&label)
             .width(width)
             .truncate()
+            .icon(down)
             .selected_text(face.rich(selected, Text::Label))
             .show_ui(ui, |ui| {
                 for (each, name) in all {
@@ -96,6 +101,15 @@ pub(crate) fn labelled(ui: &mut Ui, face: &Face<'_>, label: &str, content: impl 
 /// A check box.
 pub(crate) fn check(ui: &mut Ui, face: &Face<'_>, label: &'static str, value: &mut bool) {
     ui.checkbox(value, face.rich(face.say(label), Text::Label));
+}
+
+/// An index that can be typed or dragged.
+pub(crate) fn index(ui: &mut Ui, face: &Face<'_>, label: &'static str, value: &mut usize) {
+    let label = face.say(label);
+    labelled(ui, face, &label, |ui, width| {
+        let drag = DragValue::new(value).speed(0.1).update_while_editing(false);
+        ui.add_sized(vec2(width, face.look.button_height()), drag).accessible_name(&label);
+    });
 }
 
 /// Where dragged points snap to.
@@ -131,6 +145,7 @@ pub(crate) fn number(ui: &mut Ui, face: &Face<'_>, width: f32, name: &str, value
     let before = *value;
     let drag = DragValue::new(value)
         .speed(0.05)
+        .update_while_editing(false)
         .range(-1e9..=1e9)
         .custom_formatter(|x, _| numbers::short(&Value::F64(x)))
         .custom_parser(|text| text.trim().replace('−', "-").replace(',', ".").parse().ok());

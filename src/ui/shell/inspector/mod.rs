@@ -8,13 +8,13 @@ mod table;
 use crate::{
     document::{Tab, ViewState},
     face::Face,
+    overview::History,
     run::Shown,
     shell::Frame,
     theme::Text,
     widgets::{focus_ring, rule},
 };
 use egui::{Align2, Rect, Role as Part, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
-use rasterscope_core::explain::Grid;
 use rasterscope_figure::{
     tables::{self, Run as Piece, TextTable},
     words::Words,
@@ -31,7 +31,11 @@ pub(crate) struct Digest {
 
 impl Digest {
     /// Brings `kept` up to date with what is shown.
-    pub(crate) fn update<'a>(kept: &'a mut Option<Self>, shown: Option<&Shown>, words: &Words) -> Option<&'a Self> {
+    pub(crate) fn update<'a>(
+        kept: &'a mut Option<Self>,
+        shown: Option<&Shown>,
+        words: &Words,
+    ) -> Option<&'a Self> {
         let Some(shown) = shown else {
             *kept = None;
             return None;
@@ -55,11 +59,12 @@ pub(crate) fn show(
     frame: &Frame<'_>,
     shown: Option<&Shown>,
     digest: Option<&Digest>,
+    history: Option<&History>,
     view: &mut ViewState,
 ) {
     let rect = ui.max_rect();
     let height = if face.look.projector() { 44.0 } else { 36.0 };
-    let pixels = shown.is_some_and(|shown| shown.view.grid == Grid::Pixels);
+    let pixels = frame.lab == "pipeline";
     if view.tab == Tab::Pixel && !pixels {
         view.tab = Tab::Step;
     }
@@ -73,7 +78,7 @@ pub(crate) fn show(
         ScrollArea::vertical().id_salt(view.tab as usize).auto_shrink(false).show(ui, |ui| {
             ui.set_width(ui.available_width());
             match (view.tab, shown, digest) {
-                (Tab::Pixel, ..) => pixel::show(ui, face, view),
+                (Tab::Pixel, ..) => pixel::show(ui, face, history),
                 (_, None, _) | (_, _, None) => empty(ui, face, frame),
                 (Tab::Step, Some(shown), Some(digest)) => step::show(ui, face, shown, digest),
                 (Tab::Listing, Some(shown), _) => listing::show(ui, face, shown),
@@ -94,7 +99,7 @@ fn tabs(ui: &mut Ui, face: &Face<'_>, rect: Rect, view: &mut ViewState, pixels: 
         (Tab::Values, "ui-tab-values"),
         (Tab::Pixel, "ui-tab-pixel"),
     ];
-    // Only drawings with pixels have a pixel to choose.
+    // Only the whole scene has a history of its pixels.
     let all = &all[..if pixels { 4 } else { 3 }];
     let width = rect.width() / all.len() as f32;
     for (i, &(tab, name)) in all.iter().enumerate() {
@@ -105,7 +110,8 @@ fn tabs(ui: &mut Ui, face: &Face<'_>, rect: Rect, view: &mut ViewState, pixels: 
         if response.hovered() && !chosen {
             ui.painter().rect_filled(at, 0, face.look.field);
         }
-        let (style, color) = if chosen { (Text::Strong, face.look.text) } else { (Text::Body, face.look.dim) };
+        let (style, color) =
+            if chosen { (Text::Strong, face.look.text) } else { (Text::Body, face.look.dim) };
         ui.painter().text(at.center(), Align2::CENTER_CENTER, name, face.look.font(style), color);
         if chosen {
             let foot = Rect::from_min_max(pos2(at.left(), at.bottom() - 3.0), at.max);

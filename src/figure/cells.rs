@@ -33,6 +33,8 @@ pub(crate) struct Cells {
     objects: BTreeMap<[i32; 2], usize>,
     /// Pixels that have a mark.
     pub(crate) taken: BTreeSet<[i32; 2]>,
+    /// Whether a picture lies under the grid: its pixels say what is drawn.
+    pub(crate) pictured: bool,
     /// Rows and columns of the current step.
     pub(crate) lit: crate::grid::Lit,
 }
@@ -49,6 +51,7 @@ impl Cells {
             values: BTreeMap::new(),
             objects: BTreeMap::new(),
             taken: BTreeSet::new(),
+            pictured: false,
             lit: crate::grid::Lit::default(),
         };
         for (index, mark) in marks.iter().enumerate() {
@@ -70,6 +73,7 @@ impl Cells {
                     cells.spans.insert(*y, *ends);
                     cells.lit.rows.insert((*y).into());
                 }
+                Mark::Image { .. } => cells.pictured = true,
                 Mark::Guide { axis, at, role: Role::Active, .. } => {
                     let lit = if *axis == 0 { &mut cells.lit.columns } else { &mut cells.lit.rows };
                     lit.insert(at.floor() as i64);
@@ -128,14 +132,13 @@ impl Cells {
         canvas.small.push(if loud { rect } else { Rect::around(rect.center(), [10.0; 2]) });
         match role {
             Role::Active | Role::Neutral | Role::Changed => {}
+            Role::Accepted | Role::Rejected if shown && cell < CORNER => {}
             Role::Accepted | Role::Rejected if shown => {
-                if cell >= CORNER {
-                    let radius = 6.5 + grown;
-                    let inset = f64::from(radius) + 4.0 + f64::from(grown);
-                    let corner = narrow([rect.max[0] - inset, rect.min[1] + inset]);
-                    let shapes = marker(style.marker, corner, radius, style.color, theme.canvas);
-                    canvas.extend(Layer::Handle, shapes);
-                }
+                let radius = 6.5 + grown;
+                let inset = f64::from(radius) + 4.0 + f64::from(grown);
+                let corner = narrow([rect.max[0] - inset, rect.min[1] + inset]);
+                let shapes = marker(style.marker, corner, radius, style.color, theme.canvas);
+                canvas.extend(Layer::Handle, shapes);
             }
             Role::Accepted => {
                 let color = if in_active_span { style.color } else { theme.text };

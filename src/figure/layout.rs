@@ -48,7 +48,7 @@ pub fn draw_held(
 ) -> (Figure, Places) {
     let mut canvas = Canvas::new(placement, size, theme, words);
     let cells = Cells::of(marks);
-    grid::draw(&mut canvas, view, &cells.taken, &cells.lit);
+    grid::draw(&mut canvas, view, &cells);
     let mut wishes = Vec::new();
     let mut wish = |anchor: Option<Anchor>, label: &Option<Label>, role: Role| {
         if let (Some(anchor), Some(label)) = (anchor, label) {
@@ -65,7 +65,7 @@ pub fn draw_held(
                 wish(segment(&mut canvas, *ends, *role), label, *role);
             }
             Mark::Guide { axis, at, role, label } => {
-                guide(&mut canvas, view, usize::from(*axis != 0), *at, *role, label)
+                guide(&mut canvas, view, usize::from(*axis != 0), *at, *role, label);
             }
             Mark::Polygon { points, role, object, label } => {
                 wish(polygon(&mut canvas, view, points, *role, *object), label, *role);

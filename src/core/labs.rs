@@ -4,10 +4,13 @@
 
 use crate::{
     clip::line::{Window, cohen_sutherland},
+    depth::{DepthState, z_buffer},
     message::{Message, Value},
+    pipeline::screen_triangles,
     raster::{self, scanline},
     replay::{Budget, Playback},
     scene::{LabInput, Scene},
+    transform::chain::{self, Chain},
 };
 
 /// A lab: an algorithm with its inputs and everything that explains it.
@@ -110,25 +113,73 @@ pub fn default_input(name: &str) -> Option<LabInput> {
     })
 }
 
+/// Most pixels of a scene whose pipeline is stepped as a whole; of larger ones only a lab's own
+/// triangles are.
+const MOST_PIXELS: u64 = 256 * 256;
+
 /// Starts the run of the scene's lab, at step 0.
 ///
 /// The scene's models must be loaded. The message says what about the input cannot be run.
 pub fn play(scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
     let Some(lab) = &scene.lab else { return Err(Message::new("error-no-lab")) };
+    let nothing = || Message::new("error-nothing-to-step").with("lab", Value::text(lab.input.name()));
     match &lab.input {
         LabInput::CohenSutherland { window, segment: [x1, y1, x2, y2], arithmetic } => {
             let window = Window::new(*window).ok_or_else(|| Message::new("error-window"))?;
             let segment = [[*x1, *y1], [*x2, *y2]];
             Ok(Box::new(cohen_sutherland::play(segment, window, *arithmetic, budget)))
         }
-        LabInput::Scanline { vertices: Some(vertices), .. } => {
-            Ok(Box::new(scanline::play(*vertices, scan_settings(scene), budget)))
+        LabInput::Scanline { vertices, triangle } => {
+            let of_scene =
+                || screen_triangles(scene).get(*triangle).map(|t| t.vertices.map(|[x, y, _]| [x, y]));
+            let vertices = vertices.or_else(of_scene).ok_or_else(nothing)?;
+            Ok(Box::new(scanline::play(vertices, scan_settings(scene), budget)))
         }
-        other => Err(Message::new("error-nothing-to-step").with("lab", Value::text(other.name()))),
+        LabInput::ZBuffer { triangles: Some(triangles) } => {
+            let settings = depth_settings(scene, DepthState::default());
+            Ok(Box::new(z_buffer::play(triangles.clone(), settings, budget)))
+        }
+        LabInput::ZBuffer { triangles: None } => play_depth_of(scene, budget),
+        LabInput::Transform { draw, vertex } => {
+            let draw = scene.draws.get(*draw).ok_or_else(nothing)?;
+            let mesh = draw.geometry.mesh().ok_or_else(nothing)?;
+            let position = *mesh.positions.get(*vertex).ok_or_else(nothing)?;
+            Ok(Box::new(chain::play(vec![position], Chain::of(scene, draw), budget)))
+        }
+        LabInput::Pipeline => {
+            let [width, height] = scene.size.map(u64::from);
+            let plain = scene.draws.iter().all(|draw| draw.stencil.is_none() && draw.blend.is_none());
+            if !plain || width * height > MOST_PIXELS {
+                return Err(nothing());
+            }
+            play_depth_of(scene, budget)
+        }
     }
+}
+
+/// The depth test of all of the scene's triangles, which must agree on its state.
+fn play_depth_of(scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
+    let mut states = scene.draws.iter().map(|draw| draw.depth);
+    let state = states.next().unwrap_or_default();
+    if states.any(|other| other != state) {
+        return Err(Message::new("error-mixed-depth-states"));
+    }
+    let triangles = screen_triangles(scene).iter().map(|triangle| triangle.vertices).collect();
+    Ok(Box::new(z_buffer::play(triangles, depth_settings(scene, state), budget)))
 }
 
 /// The scene's conventions of scan conversion.
 fn scan_settings(scene: &Scene) -> raster::Settings {
     raster::Settings { fill_rule: scene.fill_rule, y_axis: scene.y_axis, ..raster::Settings::new(scene.size) }
+}
+
+/// The scene's conventions of the depth test.
+fn depth_settings(scene: &Scene, state: DepthState) -> z_buffer::Settings {
+    z_buffer::Settings {
+        algorithm: raster::Algorithm::Scanline,
+        raster: scan_settings(scene),
+        format: scene.depth_format,
+        clear: scene.clear.depth,
+        state,
+    }
 }

@@ -18,3 +18,4 @@ stage-image = Image
 error-no-lab = The scene names no lab: choose one, or add a "lab" to the scene file.
 error-window = The window is not one: each minimum must be at most its maximum.
 error-nothing-to-step = Nothing to step: the scene gives the lab { $lab } no triangle. Add one, or choose a preset.
+error-mixed-depth-states = The scene's draws have different depth states, so they cannot be stepped as one z-buffer. Give all draws the same "depth".

@@ -11,7 +11,9 @@ use super::{
     screen::{Viewport, divide},
 };
 use crate::{
+    pipeline::model_matrix,
     replay::{Budget, Player},
+    scene::{Draw, Scene},
     trace::{NoTrace, Tracer},
 };
 use serde::Serialize;
@@ -53,6 +55,18 @@ pub struct Chain {
 }
 
 impl Chain {
+    /// What takes a draw of a scene to the screen.
+    pub fn of(scene: &Scene, draw: &Draw) -> Self {
+        let viewport = Viewport { size: scene.size, depth_range: scene.depth_range, y_axis: scene.y_axis };
+        let Scene { camera, depth_range, reversed, .. } = scene;
+        Self {
+            model: model_matrix(&draw.transform),
+            view: matrices::view(camera),
+            projection: matrices::projection(camera, viewport.aspect(), *depth_range, *reversed),
+            viewport,
+        }
+    }
+
     /// The matrix that leads to a space, if one does.
     pub fn matrix(&self, to: Space) -> Option<&Matrix> {
         match to {

@@ -7,7 +7,7 @@ use crate::{
     overview::Overview,
     paint::Textures,
     platform::Platform,
-    presets::{self, PresetInfo},
+    presets::{self, Names, PresetInfo},
     run::Run,
     shell::{canvas::Canvas, inspector::Digest, notice::Notice},
     theme::{self, Look},
@@ -38,6 +38,7 @@ pub struct App {
     pub(crate) textures: Textures,
     pub(crate) labs: Vec<Box<dyn Lab>>,
     pub(crate) presets: Vec<PresetInfo>,
+    pub(crate) names: Names,
     /// The preset that was opened, and what it was; no longer chosen once something is edited.
     pub(crate) preset: Option<(&'static str, Document)>,
     pub(crate) notice: Option<Notice>,
@@ -52,6 +53,7 @@ impl App {
     pub fn new(ctx: &Context) -> Self {
         ctx.set_fonts(theme::fonts());
         let words = Rc::new(Words::default());
+        let names = Names::new(&words);
         let view = ViewState::default();
         let look = Rc::new(Look::new(view.theme));
         look.apply(ctx);
@@ -66,7 +68,8 @@ impl App {
             canvas: Canvas::default(),
             textures: Textures::default(),
             labs: labs::registry(),
-            presets: presets::all(&words),
+            presets: presets::all(&names, &words),
+            names,
             preset: None,
             notice: None,
             path: None,

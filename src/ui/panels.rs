@@ -7,7 +7,7 @@ use crate::{
         Frame, NARROW,
         canvas::{Drawing, Maker},
         choices, header,
-        inspector::{self, Digest},
+        inspector::{self, Digest, Whole},
         keys, menu, notice,
         ribbon::{self, Shape},
         timeline,
@@ -48,6 +48,7 @@ impl App {
                 .filter(|(_, document)| *document == self.document)
                 .map(|(name, _)| *name),
             presets: &presets,
+            note: self.names.text(&self.words, &self.document.scene.note),
             problem: self.problem(),
         };
         let plain = |fill: Color32, margin: Margin| egui::Frame::NONE.fill(fill).inner_margin(margin);
@@ -105,7 +106,9 @@ impl App {
                 let shown = self.run.shown();
                 let digest = Digest::update(&mut self.digest, shown, &words);
                 let history = self.view.pixel.and_then(|pixel| self.overview.history(pixel, &words));
-                inspector::show(ui, &face, &frame, shown, digest, history.as_deref(), &mut self.view);
+                let stages = (name == "pipeline").then(|| self.overview.table(&words));
+                let whole = Whole { history: history.as_deref(), stages: stages.as_deref() };
+                inspector::show(ui, &face, &frame, shown, digest, whole, &mut self.view);
             });
         CentralPanel::default().frame(plain(look.canvas, Margin::ZERO)).show(ui, |ui| {
             let rect = ui.max_rect();
@@ -178,7 +181,7 @@ impl App {
         match (&self.path, preset) {
             (Some(path), _) => path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned(),
             (None, Some(preset)) => preset.title.clone(),
-            (None, None) => crate::presets::text(&self.words, &self.document.scene.name),
+            (None, None) => self.names.text(&self.words, &self.document.scene.name),
         }
     }
 }

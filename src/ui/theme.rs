@@ -188,6 +188,7 @@ impl Look {
         spacing.menu_margin = Margin::same(6);
         spacing.scroll.floating = false;
         spacing.scroll.bar_width = 8.0;
+        spacing.scroll.foreground_color = false;
         style.animation_time = 0.0;
         style.interaction.selectable_labels = false;
         style.interaction.interact_radius = 3.0;

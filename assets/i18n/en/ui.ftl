@@ -144,3 +144,7 @@ ui-readout-space = drag: orbit   Shift + drag: move   wheel: zoom   F: frame all
 ui-pixel-title = Pixel ({ $x }, { $y })
 ui-pixel-clear = Clear
 ui-pixel-clear-depth = depth { $depth }
+ui-stages = Stages
+column-came = in
+column-went = out
+column-dropped = dropped

@@ -2,7 +2,7 @@
 
 use super::{Handle, Kind, Lab, scanline::fill_rule, transform::depth_range, z_buffer::depth_format};
 use crate::{
-    document::{Document, Scenery, ViewState},
+    document::{Document, ViewState},
     face::Face,
     shell::choices,
     widgets::heading,

@@ -1,6 +1,9 @@
 //! The z-buffer: drag triangles over each other and change their depths.
 
-use super::{Handle, Kind, Lab, scanline::fill_rule};
+use super::{
+    Handle, Kind, Lab,
+    scanline::{fill_rule, is_small},
+};
 use crate::{
     document::{Document, ViewState},
     face::Face,
@@ -8,7 +11,7 @@ use crate::{
     widgets::heading,
 };
 use egui::Ui;
-use rasterscope_core::{depth::DepthFormat, scene::LabInput};
+use rasterscope_core::{depth::DepthFormat, pipeline::screen_triangles, scene::LabInput};
 
 /// The lab.
 #[derive(Debug)]
@@ -24,7 +27,9 @@ impl Lab for ZBuffer {
         depth_format(ui, face, document);
         fill_rule(ui, face, document);
         choices::snapping(ui, face, view);
-        if let LabInput::ZBuffer { triangles: Some(triangles) } = document.input_mut() {
+        let mut triangles = triangles(document);
+        let before = triangles.clone();
+        if !triangles.is_empty() {
             heading(ui, face, &face.say("ui-vertices-depth"));
             for (i, triangle) in triangles.iter_mut().enumerate() {
                 for (corner, [x, y, z]) in triangle.iter_mut().enumerate() {
@@ -32,10 +37,13 @@ impl Lab for ZBuffer {
                 }
             }
         }
+        if triangles != before {
+            *document.input_mut() = LabInput::ZBuffer { triangles: Some(triangles) };
+        }
     }
 
     fn handles(&self, document: &Document) -> Vec<Handle> {
-        let LabInput::ZBuffer { triangles: Some(triangles) } = document.input() else { return Vec::new() };
+        let triangles = triangles(document);
         let corner = |i: usize| {
             let [x, y, _] = triangles[i / 3][i % 3];
             Handle { name: name(i / 3, i % 3), at: [x, y], kind: Kind::Point }
@@ -44,10 +52,23 @@ impl Lab for ZBuffer {
     }
 
     fn drag(&self, document: &mut Document, handle: usize, [x, y]: [f32; 2]) {
-        if let LabInput::ZBuffer { triangles: Some(triangles) } = document.input_mut() {
-            let corner = &mut triangles[handle / 3][handle % 3];
+        let mut triangles = triangles(document);
+        if let Some(triangle) = triangles.get_mut(handle / 3) {
+            let corner = &mut triangle[handle % 3];
             *corner = [x, y, corner[2]];
+            *document.input_mut() = LabInput::ZBuffer { triangles: Some(triangles) };
         }
+    }
+}
+
+/// The lab's own triangles, or those of the scene if they are few.
+fn triangles(document: &Document) -> Vec<[[f32; 3]; 3]> {
+    match document.input() {
+        LabInput::ZBuffer { triangles: Some(triangles) } => triangles.clone(),
+        LabInput::ZBuffer { triangles: None } if is_small(&document.scene) => {
+            screen_triangles(&document.scene).iter().map(|triangle| triangle.vertices).collect()
+        }
+        _ => Vec::new(),
     }
 }
 

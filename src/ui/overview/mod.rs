@@ -20,7 +20,7 @@ use rasterscope_core::{
     raster::Algorithm,
     scene::Scene,
 };
-use rasterscope_figure::{orbit::Orbit, theme::ThemeName, words::Words};
+use rasterscope_figure::{orbit::Orbit, tables::TextTable, theme::ThemeName, words::Words};
 use std::{rc::Rc, sync::Arc};
 
 /// The pipeline of the document, and what is drawn of it.
@@ -35,6 +35,7 @@ pub(crate) struct Overview {
     drawing: Option<(DrawingKey, Rc<Picture>)>,
     chips: Option<((u64, ThemeName), Rc<[Chip]>)>,
     history: Option<((u64, [u32; 2]), Rc<History>)>,
+    table: Option<(u64, Rc<TextTable>)>,
 }
 
 /// What the overview's drawing depends on.
@@ -66,6 +67,7 @@ impl Default for Overview {
             drawing: None,
             chips: None,
             history: None,
+            table: None,
         }
     }
 }
@@ -133,6 +135,16 @@ impl Overview {
         let chips: Rc<[Chip]> = chips::chips(self.pipeline.outputs(), theme, words).into();
         self.chips = Some((key, Rc::clone(&chips)));
         chips
+    }
+
+    /// What came into every stage, what went out, what was dropped.
+    pub(crate) fn table(&mut self, words: &Words) -> Rc<TextTable> {
+        if let Some((_, table)) = self.table.as_ref().filter(|(rev, _)| *rev == self.rev) {
+            return Rc::clone(table);
+        }
+        let table = Rc::new(chips::table(&self.pipeline.outputs().frame.stats, words));
+        self.table = Some((self.rev, Rc::clone(&table)));
+        table
     }
 
     /// The history of a pixel, in words.

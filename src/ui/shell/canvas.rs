@@ -1,7 +1,7 @@
 //! The canvas: the drawing of the step, handles to drag, zoom, pan, and the readout.
 
 use crate::{
-    document::{Document, Scenery, Snap, ViewState},
+    document::{Document, Scenery, Snap, Tab, ViewState},
     face::Face,
     labs::{Handle, Kind, Lab},
     paint::{self, Textures},
@@ -173,6 +173,9 @@ impl Canvas {
             ground.interact_pointer_pos().filter(|_| ground.clicked() && drawing.view.grid == Grid::Pixels)
         {
             view.pixel = pixel_at(*placement, rect, at);
+            if drawing.rev.0 == Maker::Overview {
+                view.tab = Tab::Pixel;
+            }
         }
     }
 

@@ -4,6 +4,7 @@ use crate::{
     document::{Document, Snap, ViewState},
     face::{Command, Face},
     labs::Lab,
+    presets::PresetInfo,
     shell::Frame,
     theme::Text,
     widgets::{down, heading, row, text_in},
@@ -11,6 +12,9 @@ use crate::{
 use egui::{Align2, ComboBox, DragValue, Rect, ScrollArea, Ui, pos2, vec2};
 use rasterscope_core::{math::Arithmetic, message::Value};
 use rasterscope_figure::numbers;
+
+/// More presets than this scroll, so that the conventions stay in sight.
+const MOST_PRESETS: usize = 8;
 
 /// Shows the choices of a lab and edits the document.
 pub(crate) fn show(
@@ -36,29 +40,34 @@ fn presets(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
         return;
     }
     heading(ui, face, &face.say("ui-presets"));
-    ui.spacing_mut().item_spacing.y = 0.0;
-    for preset in mine {
-        let chosen = frame.preset == Some(preset.name);
-        let response = row(ui, face, face.look.row_height(), &preset.title, chosen, |ui, rect| {
-            let out = rect.expand2(vec2(6.0, 0.0));
-            if chosen {
-                ui.painter().rect_filled(out, 0, face.look.raised);
-                ui.painter().rect_filled(
-                    Rect::from_min_size(out.min, vec2(4.0, out.height())),
-                    0,
-                    face.look.text,
-                );
-            }
-            let font = face.look.font(if chosen { Text::LabelStrong } else { Text::Label });
-            let color = if chosen { face.look.text } else { face.look.dim };
-            let room = rect.with_min_x(rect.left() + 6.0);
-            text_in(ui.painter(), room, Align2::LEFT_CENTER, &preset.title, font, color);
-        });
-        if response.on_hover_text(&preset.note).clicked() {
-            face.ask(Command::Preset(preset.name));
+    let height = face.look.row_height();
+    let most = height * if mine.len() > MOST_PRESETS { MOST_PRESETS as f32 - 0.5 } else { mine.len() as f32 };
+    ScrollArea::vertical().id_salt("presets").max_height(most).auto_shrink([false, true]).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        for one in mine {
+            preset(ui, face, one, frame.preset == Some(one.name));
         }
+    });
+}
+
+fn preset(ui: &mut Ui, face: &Face<'_>, preset: &PresetInfo, chosen: bool) {
+    let response = row(ui, face, face.look.row_height(), &preset.title, chosen, |ui, rect| {
+        if chosen {
+            ui.painter().rect_filled(rect, 0, face.look.raised);
+            ui.painter().rect_filled(
+                Rect::from_min_size(rect.min, vec2(4.0, rect.height())),
+                0,
+                face.look.text,
+            );
+        }
+        let font = face.look.font(if chosen { Text::LabelStrong } else { Text::Label });
+        let color = if chosen { face.look.text } else { face.look.dim };
+        let room = rect.with_min_x(rect.left() + 12.0);
+        text_in(ui.painter(), room, Align2::LEFT_CENTER, &preset.title, font, color);
+    });
+    if response.on_hover_text(&preset.note).clicked() {
+        face.ask(Command::Preset(preset.name));
     }
-    ui.spacing_mut().item_spacing.y = 4.0;
 }
 
 /// A label and a combo: one convention.

@@ -72,7 +72,10 @@ pub(crate) fn show(
             chevron(ui.painter(), pos2(at.left(), y), face.look.stroke(1.0, face.look.dim));
         }
         match shape {
-            Shape::Tall => tall(ui, face, textures, at, chip, chosen),
+            Shape::Tall => {
+                let free = chips.get(i + 1).is_some_and(|next| next.skipped.is_none());
+                tall(ui, face, textures, at, chip, chosen, free);
+            }
             _ => flat(ui, face, at, chip, chosen),
         }
         if chosen {
@@ -107,7 +110,7 @@ fn colors(face: &Face<'_>, chip: &Chip, chosen: bool) -> [egui::Color32; 2] {
     }
 }
 
-fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip, chosen: bool) {
+fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip, chosen: bool, free: bool) {
     let (painter, look) = (ui.painter(), face.look);
     let [ink, dim] = colors(face, chip, chosen);
     let left = at.left() + 9.0;
@@ -136,7 +139,9 @@ fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip
     if let Some(skipped) = &chip.skipped {
         let line = row(58.0, 18.0);
         paint::marker(painter, line.left_center() + vec2(5.0, 0.0), Role::Rejected, 8.0, look);
-        let text = line.with_min_x(line.left() + 14.0).with_max_x(at.right() + 2.0);
+        // The next chip's place is used if it has nothing to say.
+        let end = if free { at.right() + 60.0 } else { at.right() + 4.0 };
+        let text = line.with_min_x(line.left() + 14.0).with_max_x(end);
         text_in(
             painter,
             text,

@@ -67,6 +67,7 @@ fn window(width: f32, height: f32) -> Window {
     let mut window = Harness::builder()
         .with_size(vec2(width, height))
         .with_max_steps(16)
+        .with_step_dt(1.0 / 60.0)
         .renderer(CpuPainter::default())
         .with_context_setup(|ctx| ctx.set_fonts(theme::fonts()))
         .build_ui_state(

@@ -5,23 +5,24 @@
 
 use super::DepthFormat;
 use crate::{
-    interpolate::Barycentric,
-    math::{Arithmetic, Real, Tally},
+    interpolate::barycentric::determinant,
+    math::{Approx, Arithmetic, Dyadic, Real, Tally, edge_value, orient2d, rounded_code, rounded_ratio},
     raster::{edge::centre, snap},
 };
 
 /// A triangle's depth, set up once for all its pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct DepthPlane {
-    z: [f32; 3],
     form: Form,
+    /// The least and the greatest depth of the vertices.
+    range: [f32; 2],
 }
 
 #[derive(Clone, Copy, Debug)]
 enum Form {
-    /// Zero area, which covers nothing.
-    None,
-    Exact(Barycentric),
+    /// All depths are equal, or there is no area and nothing to cover.
+    Constant(f32),
+    Exact(Plane),
     F32(Slopes<f32>),
     F64(Slopes<f64>),
 }
@@ -30,36 +31,38 @@ impl DepthPlane {
     /// From vertices (x, y, z): x and y in pixels, z in the depth range; any finite numbers,
     /// either winding. `F32` and `F64` use the slopes dz/dx and dz/dy as taught; `Fixed8` snaps x
     /// and y to 1/256 pixel and is exact then. A zero area has the depth of its first vertex.
-    pub fn new(vertices: [[f32; 3]; 3], arithmetic: Arithmetic, tally: &mut Tally) -> Self {
-        let mut points = vertices.map(|[x, y, _]| [x, y]);
+    pub fn new(mut vertices: [[f32; 3]; 3], arithmetic: Arithmetic, tally: &mut Tally) -> Self {
         if arithmetic == Arithmetic::Fixed8 {
-            points = points.map(|point| point.map(snap));
+            vertices = vertices.map(|[x, y, z]| [snap(x), snap(y), z]);
         }
-        let form = match (Barycentric::new(points, tally), arithmetic) {
-            (None, _) => Form::None,
-            (Some(triangle), Arithmetic::Exact | Arithmetic::Fixed8) => Form::Exact(triangle),
-            (Some(_), Arithmetic::F32) => Form::F32(Slopes::new(vertices)),
-            (Some(_), Arithmetic::F64) => Form::F64(Slopes::new(vertices)),
+        let [a, b, c] = vertices.map(|[_, _, z]| z);
+        let form = if a.to_bits() == b.to_bits() && b.to_bits() == c.to_bits() || !has_area(vertices, tally) {
+            Form::Constant(a)
+        } else {
+            match arithmetic {
+                Arithmetic::Exact | Arithmetic::Fixed8 => Form::Exact(Plane::new(vertices)),
+                Arithmetic::F32 => Form::F32(Slopes::new(vertices)),
+                Arithmetic::F64 => Form::F64(Slopes::new(vertices)),
+            }
         };
-        Self { z: vertices.map(|[_, _, z]| z), form }
+        Self { form, range: [a.min(b).min(c), a.max(b).max(c)] }
     }
 
-    /// The depth at the centre of a pixel: correctly rounded, within the vertices' range.
+    /// The depth at the centre of a pixel: correctly rounded, and within the vertices' range also
+    /// where rounded coverage strays outside the triangle.
     #[inline]
     pub fn depth(&self, [x, y]: [u32; 2], tally: &mut Tally) -> f32 {
-        let [a, b, c] = self.z;
-        if a.to_bits() == b.to_bits() && b.to_bits() == c.to_bits() {
-            return a;
-        }
         let point = centre(x, y);
         let rounded = match &self.form {
-            Form::None => return a,
-            Form::Exact(triangle) => return triangle.at(point, tally).value(self.z, tally),
+            Form::Constant(z) => return *z,
+            Form::Exact(plane) => {
+                return rounded_ratio(plane.at(point, self.range), || plane.exact(point, self.range), tally);
+            }
             Form::F32(slopes) => slopes.depth(point),
             Form::F64(slopes) => slopes.depth(point),
         };
-        // Not `clamp`, which would panic on NaN: the taught slopes of a sliver can be.
-        rounded.max(a.min(b).min(c)).min(a.max(b).max(c))
+        // Not `clamp`, which leaves NaN: the taught slopes of a sliver can be.
+        rounded.max(self.range[0]).min(self.range[1])
     }
 
     /// The code of the depth at the centre of a pixel: the exact value rounded once to the
@@ -67,9 +70,68 @@ impl DepthPlane {
     #[inline]
     pub fn code(&self, [x, y]: [u32; 2], format: DepthFormat, tally: &mut Tally) -> u32 {
         match (&self.form, format.max_code()) {
-            (Form::Exact(triangle), Some(max)) => triangle.at(centre(x, y), tally).code(self.z, max, tally),
+            (Form::Exact(plane), Some(max)) => {
+                let point = centre(x, y);
+                rounded_code(plane.at(point, self.range), max, || plane.exact(point, self.range), tally)
+            }
             _ => format.encode(self.depth([x, y], tally)),
         }
+    }
+}
+
+fn has_area(vertices: [[f32; 3]; 3], tally: &mut Tally) -> bool {
+    let [a, b, c] = vertices.map(|[x, y, _]| [x, y]);
+    !orient2d(a, b, c, tally).is_zero()
+}
+
+/// The plane through three vertices, with proven errors: its normal's components are the
+/// determinants of the vertices seen along each axis.
+#[derive(Clone, Copy, Debug)]
+struct Plane {
+    vertices: [[f32; 3]; 3],
+    dz_dx: Approx,
+    dz_dy: Approx,
+}
+
+impl Plane {
+    fn new(vertices: [[f32; 3]; 3]) -> Self {
+        let [xy, zy, xz] = Self::along_axes(vertices).map(|[a, b, c]| edge_value(a, b, c));
+        Self { vertices, dz_dx: zy / xy, dz_dy: xz / xy }
+    }
+
+    /// The triangle in the planes xy, zy and xz.
+    fn along_axes(vertices: [[f32; 3]; 3]) -> [[[f32; 2]; 3]; 3] {
+        [vertices.map(|[x, y, _]| [x, y]), vertices.map(|[_, y, z]| [z, y]), vertices.map(|[x, _, z]| [x, z])]
+    }
+
+    /// The depth at a point, kept within a range: that leaves no error beyond it, either.
+    #[inline]
+    fn at(&self, [x, y]: [f32; 2], [least, greatest]: [f32; 2]) -> Approx {
+        /// Both offsets, products and sums round once each: 4u, and some for the bound itself.
+        const ROUNDINGS: f64 = 3.0 * f64::EPSILON;
+        let [x0, y0, z0] = self.vertices[0].map(f64::from);
+        let (dx, dy) = (f64::from(x) - x0, f64::from(y) - y0);
+        let (along_x, along_y) = (self.dz_dx.value * dx, self.dz_dy.value * dy);
+        let size = z0.abs() + along_x.abs() + along_y.abs();
+        // The slopes' errors are doubled for the roundings of their own products.
+        let inherited = self.dz_dx.error * dx.abs() + self.dz_dy.error * dy.abs();
+        Approx {
+            value: (z0 + along_x + along_y).max(least.into()).min(greatest.into()),
+            error: 2.0 * inherited + ROUNDINGS * size + f64::MIN_POSITIVE,
+        }
+    }
+
+    /// The same as a quotient, without a rounding.
+    #[cold]
+    fn exact(&self, [x, y]: [f32; 2], range: [f32; 2]) -> (Dyadic, Dyadic) {
+        let [xy, zy, xz] = Self::along_axes(self.vertices).map(|[a, b, c]| determinant(a, b, c));
+        let [x0, y0, z0] = self.vertices[0].map(Dyadic::from);
+        let above = z0 * &xy + zy * (Dyadic::from(x) - x0) + xz * (Dyadic::from(y) - y0);
+        let [least, greatest] = range.map(Dyadic::from);
+        // With a positive denominator, the quotient compares like the numerator.
+        let (above, below) = if xy.sign().is_negative() { (-above, -xy) } else { (above, xy) };
+        let kept = above.max(least * &below).min(greatest * &below);
+        (kept, below)
     }
 }
 

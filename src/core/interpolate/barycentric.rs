@@ -147,7 +147,7 @@ impl Weights<'_> {
         let (mut weighted, mut sum) = (Dyadic::zero(), Dyadic::zero());
         for ((&[a, b], factor), value) in self.triangle.edges.iter().zip(self.triangle.factors).zip(attribute)
         {
-            let area = exact_area(a, b, self.point);
+            let area = determinant(a, b, self.point);
             if area.sign().is_positive() {
                 let weight = area * Dyadic::from(factor);
                 weighted = weighted + &weight * &Dyadic::from(value);
@@ -165,7 +165,7 @@ fn is_constant([a0, a1, a2]: [f32; 3]) -> bool {
 }
 
 /// The determinant of [`orient2d`] without a rounding.
-fn exact_area(a: [f32; 2], b: [f32; 2], c: [f32; 2]) -> Dyadic {
+pub(crate) fn determinant(a: [f32; 2], b: [f32; 2], c: [f32; 2]) -> Dyadic {
     let ([ax, ay], [bx, by], [cx, cy]) = (a.map(Dyadic::from), b.map(Dyadic::from), c.map(Dyadic::from));
     (bx - &ax) * (cy - &ay) - (by - ay) * (cx - ax)
 }

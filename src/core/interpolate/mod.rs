@@ -4,7 +4,7 @@
 //! value depends on the triangle and the point alone, three equal values come back bit for bit,
 //! and nothing overshoots the vertices' range.
 
-mod barycentric;
+pub(crate) mod barycentric;
 mod perspective;
 mod taught;
 

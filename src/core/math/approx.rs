@@ -68,11 +68,13 @@ impl Approx {
     #[must_use]
     pub fn bounds(self) -> (f64, f64) {
         if self.error == 0.0 {
-            (self.value, self.value)
-        } else {
-            // The sums round to nearest, so the true ends are less than one step away.
-            ((self.value - self.error).next_down(), (self.value + self.error).next_up())
+            return (self.value, self.value);
         }
+        // The two sums below round by at most u (|value| + slack). Asking for twice u |value| covers
+        // that, and the factor the rest and the roundings of the slack itself. (Stepping to the
+        // neighbouring f64 would do, too, but costs more than all the rest of a filter.)
+        let slack = (self.error + 2.0 * UNIT_ROUNDOFF * self.value.abs()) * ROUND_UP;
+        (self.value - slack, self.value + slack)
     }
 }
 

@@ -1,5 +1,7 @@
 //! The colour of a fragment, exact until it is written.
 
+use std::cell::Cell;
+
 use super::{DrawOutputs, Piece};
 use crate::{
     blend::{BlendState, ExactColor, blend},
@@ -20,8 +22,21 @@ pub(super) struct Shader {
     /// Vertex values of u and v, with the texture they look up.
     texture: Option<([[f32; 3]; 2], Texture)>,
     shade: f32,
+    /// Whether the vertices have the same colour.
+    uniform: bool,
     /// The code of all fragments, if they have the same colour.
     constant: Option<[u8; 4]>,
+    /// What blending gave last, if the vertices have the same colour: neighbours mostly ask the same,
+    /// and one half over codes is an exact tie, which is slow, every other time.
+    last: Cell<Option<Blended>>,
+}
+
+/// A blended fragment of a triangle of one colour.
+#[derive(Clone, Copy)]
+struct Blended {
+    factor: f32,
+    stored: [u8; 4],
+    result: [u8; 4],
 }
 
 /// The colour of one fragment, not rounded yet.
@@ -50,9 +65,10 @@ impl Shader {
         let texture = texture
             .filter(|_| has_uvs)
             .map(|texture| ([0, 1].map(|axis| corners.map(|i| clipped.uvs[i][axis])), texture));
-        let mut shader = Self { interpolator, channels, texture, shade, constant: None };
-        let is_constant = channels.iter().all(|[a, b, c]| a == b && b == c);
-        if is_constant && shader.texture.is_none() {
+        let uniform = channels.iter().all(|[a, b, c]| a == b && b == c);
+        let last = Cell::new(None);
+        let mut shader = Self { interpolator, channels, texture, shade, uniform, constant: None, last };
+        if uniform && shader.texture.is_none() {
             let [r, g, b, a] = channels.map(|channel| channel[0]);
             let mut shaded = |value: f32| {
                 // A product of two f32 is exact in f64.
@@ -121,11 +137,19 @@ impl Color<'_> {
 
     /// What is stored after blending over `stored`.
     pub(super) fn blended(&self, state: &BlendState, stored: [u8; 4], tally: &mut Tally) -> [u8; 4] {
+        let last = self.shader.last.get().filter(|last| last.factor == self.factor && last.stored == stored);
+        if let Some(last) = last {
+            return last.result;
+        }
         let exact = || {
             let quotients = [0, 1, 2, 3].map(|channel| self.exact(channel));
             let denominator = quotients[0].1.clone();
             ExactColor { channels: quotients.map(|(value, _)| value), denominator }
         };
-        blend(state, [0, 1, 2, 3].map(|channel| self.approx(channel)), exact, stored, tally)
+        let result = blend(state, [0, 1, 2, 3].map(|channel| self.approx(channel)), exact, stored, tally);
+        if self.shader.uniform {
+            self.shader.last.set(Some(Blended { factor: self.factor, stored, result }));
+        }
+        result
     }
 }

@@ -37,11 +37,14 @@ impl FragmentState {
     /// The stencil test, then the depth test `depth`, if the draw has one; the stencil value follows.
     #[inline]
     pub(super) fn test(&self, stencil: &mut u8, depth: impl FnOnce() -> bool) -> StencilOutcome {
-        let depth =
-            || if !self.depth.test || depth() { StencilOutcome::Pass } else { StencilOutcome::DepthFail };
-        let Some(state) = &self.stencil else { return depth() };
-        let outcome = if state.passes(*stencil) { depth() } else { StencilOutcome::Fail };
-        *stencil = state.after(outcome, *stencil);
+        let outcome = match &self.stencil {
+            Some(state) if !state.passes(*stencil) => StencilOutcome::Fail,
+            _ if !self.depth.test || depth() => StencilOutcome::Pass,
+            _ => StencilOutcome::DepthFail,
+        };
+        if let Some(state) = &self.stencil {
+            *stencil = state.after(outcome, *stencil);
+        }
         outcome
     }
 }
@@ -130,7 +133,7 @@ impl Target {
         frame.size = state.size;
         frame.color = state.clear_color().repeat(pixels);
         frame.depth = vec![stored_depth(state.format, code); pixels];
-        frame.depth_codes = None;
+        frame.depth_codes = state.format.max_code().map(|_| vec![code; pixels]);
         frame.stencil = vec![state.clear.stencil; pixels];
         let touched = vec![0..0; state.size[1] as usize];
         Self {
@@ -162,6 +165,7 @@ impl Target {
             frame.depth[range.clone()].fill(depth);
             frame.stencil[range.clone()].fill(state.clear.stencil);
             self.depth.fill(range.clone(), code);
+            frame.depth_codes.iter_mut().for_each(|codes| codes[range.clone()].fill(code));
             self.written[range].fill(false);
             *columns = 0..0;
         }
@@ -260,15 +264,13 @@ impl Target {
         states: impl Iterator<Item = &'s FragmentState> + Clone,
     ) {
         let codes = self.depth.codes();
-        if self.state.format.max_code().is_some() {
-            let copy: &mut Vec<u32> = frame.depth_codes.get_or_insert_default();
-            copy.clear();
-            copy.extend_from_slice(codes); // into the same memory as last time
-        }
         for (y, columns) in (0..).zip(&self.touched) {
             let range = frame.index([columns.start, y])..frame.index([columns.end, y]);
-            for (depth, code) in frame.depth[range.clone()].iter_mut().zip(&codes[range]) {
+            for (depth, code) in frame.depth[range.clone()].iter_mut().zip(&codes[range.clone()]) {
                 *depth = stored_depth(self.state.format, *code);
+            }
+            if let Some(copy) = &mut frame.depth_codes {
+                copy[range.clone()].copy_from_slice(&codes[range]);
             }
         }
         let (counts, stats) = (&self.counts, &mut self.stats);

@@ -1,6 +1,7 @@
 //! `compute`: request line in, answer line out.
 
 use crate::support::Random;
+use base64::{Engine, engine::general_purpose::STANDARD};
 use rasterscope_cli::compute::{MOST_BYTES, answer, compute};
 use serde_json::{Value, json};
 use std::io::{Cursor, Read};
@@ -185,6 +186,29 @@ fn triangles_are_clipped_in_clip_space() {
 }
 
 #[test]
+fn scenes_are_rendered_and_no_skip_changes_the_image() {
+    let scene = r#"{"rasterscope":1,"size":[8,6],"depth_format":"unorm16","draws":[
+        {"vertices":[[-2,-1,0],[2,-1,0],[0,2,1]],"color":[1,0.5,0,1]},{"model":"cube.obj"}]}"#;
+    let rendered = |skips: &str| ask(format!(r#"{{"op":"render","scene":{scene}{skips}}}"#).as_bytes());
+    let all = rendered("");
+    assert_eq!(all["size"], json!([8, 6]), "{all}");
+    let bytes = |field: &str| STANDARD.decode(all[field].as_str().expect("base64")).expect("base64").len();
+    let lengths = ["color", "depth", "depth_codes", "stencil"].map(bytes);
+    assert_eq!(lengths, [8 * 6 * 4, 8 * 6 * 4, 8 * 6 * 4, 8 * 6]);
+    assert!(all["stats"].as_object().is_some_and(|stats| !stats.is_empty()));
+    for skips in [r#","skips":"all""#, r#","skips":"none""#, r#","skips":["tile","early-z","memo"]"#] {
+        let other = rendered(skips);
+        for field in ["color", "depth", "depth_codes", "stencil"] {
+            assert_eq!(other[field], all[field], "{skips} {field}");
+        }
+    }
+    let plain = ask(br#"{"op":"render","scene":{"rasterscope":1,"size":[1,1],"draws":[]}}"#);
+    assert!(plain.get("depth_codes").is_none());
+    let depth = STANDARD.decode(plain["depth"].as_str().expect("base64")).expect("base64");
+    assert_eq!(depth, 1.0_f32.to_le_bytes());
+}
+
+#[test]
 fn numbers_are_rounded_to_binary32_on_the_way_in_and_kept_on_the_way_out() {
     let mut random = Random::new(1);
     for _ in 0..2000 {
@@ -257,6 +281,16 @@ fn each_kind_of_bad_input_has_its_code() {
         (r#"{"op":"clip_triangle","depth_range":"none"}"#, "unknown-depth-range"),
         (r#"{"op":"clip_triangle","space":"moon"}"#, "unknown-space"),
         (r#"{"op":"clip_triangle","arithmetic":"f32"}"#, "unsupported"),
+        (r#"{"op":"render"}"#, "missing-field"),
+        (r#"{"op":"render","skips":"some"}"#, "unknown-skip"),
+        (r#"{"op":"render","skips":["row","fly"]}"#, "unknown-skip"),
+        (r#"{"op":"render","skips":[7]}"#, "bad-field"),
+        (r#"{"op":"render","arithmetic":"f32"}"#, "unsupported"),
+        (r#"{"op":"render","scene":7}"#, "bad-scene"),
+        (
+            r#"{"op":"render","scene":{"rasterscope":1,"size":[4,4],"draws":[{"model":"no.obj"}]}}"#,
+            "missing-model",
+        ),
     ]);
     assert_eq!(refused(b"{\"op\":\"\xFF\"}"), "not-utf8");
     for nest in ["[", "{\"a\":"] {
@@ -319,6 +353,7 @@ fn garbage_never_costs_more_than_one_error_object() {
         r#"{"op":"depth","size":[9,9],"format":"unorm24","vertices":[[0,0,0],[9,2,1],[1,8,0]]}"#,
         r#"{"op":"interpolate","vertices":[[0,0,1],[9,2,2],[1,8,3]],"attribute":[0,1,2],"at":[2,3]}"#,
         r#"{"op":"clip_triangle","vertices":[[0,0,0,1],[9,2,1,2],[1,8,0,3]]}"#,
+        r#"{"op":"render","scene":{"rasterscope":1,"size":[9,9],"draws":[{"vertices":[[0,0,0],[9,2,1],[1,8,0]]}]}}"#,
     ];
     for _ in 0..1000 {
         let mut line = random.pick(&seeds).as_bytes().to_vec();
@@ -336,7 +371,7 @@ fn garbage_never_costs_more_than_one_error_object() {
             }
         }
         let answer = ask(&line);
-        let known = ["error", "visible", "rows", "pixels", "value", "polygon"];
+        let known = ["error", "visible", "rows", "pixels", "value", "polygon", "color"];
         assert!(known.iter().any(|field| answer.get(field).is_some()), "{answer}");
     }
 }

@@ -1,6 +1,7 @@
 //! Headless tests over core, figure and cli: laws that hold for every algorithm, golden logs,
 //! conformance. No display, no network, no clock.
 
+mod cli;
 mod clip_triangle;
 mod cohen_sutherland;
 mod compute;
@@ -9,6 +10,7 @@ mod house;
 mod interpolate;
 mod obj;
 mod pipeline;
+mod presets;
 mod replay;
 mod scanline;
 mod scene;

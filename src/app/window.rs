@@ -55,7 +55,8 @@ pub fn open(file: Option<String>) -> Result<(), String> {
     let flag = Arc::clone(&started);
     let create = move |creation: &CreationContext<'_>| {
         flag.store(true, Ordering::Relaxed);
-        let mut window = Window { app: App::new(&creation.egui_ctx), desktop: Desktop::new(creation.egui_ctx.clone()) };
+        let mut window =
+            Window { app: App::new(&creation.egui_ctx), desktop: Desktop::new(creation.egui_ctx.clone()) };
         if let Some(settings) = creation.storage.and_then(|storage| storage.get_string(SETTINGS)) {
             window.app.restore(&creation.egui_ctx, &settings);
         }
@@ -73,14 +74,17 @@ pub fn open(file: Option<String>) -> Result<(), String> {
             report(info);
         }
     }));
-    let outcome = panic::catch_unwind(AssertUnwindSafe(|| eframe::run_native(TITLE, options, Box::new(create))));
+    let outcome =
+        panic::catch_unwind(AssertUnwindSafe(|| eframe::run_native(TITLE, options, Box::new(create))));
     match outcome {
         Ok(Ok(())) => Ok(()),
         Ok(Err(error)) => Err(sentence(&format!("{error} {error:?}"))),
         Err(payload) if started.load(Ordering::Relaxed) => panic::resume_unwind(payload),
         Err(payload) => {
             let text = payload.downcast_ref::<String>().cloned();
-            Err(sentence(&text.or_else(|| payload.downcast_ref::<&str>().map(ToString::to_string)).unwrap_or_default()))
+            Err(sentence(
+                &text.or_else(|| payload.downcast_ref::<&str>().map(ToString::to_string)).unwrap_or_default(),
+            ))
         }
     }
 }
@@ -104,10 +108,16 @@ fn sentence(error: &str) -> String {
     let missing = LIBRARIES.iter().find(|(library, _)| lower.contains(&library.to_lowercase()));
     let no_display = std::env::var_os("DISPLAY").is_none() && std::env::var_os("WAYLAND_DISPLAY").is_none();
     match missing {
-        _ if no_display => "The window cannot be opened: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set).".to_owned(),
+        _ if no_display => {
+            "The window cannot be opened: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set)."
+                .to_owned()
+        }
         Some((_, package)) => format!(
             "The window cannot be opened: a system library is missing; on Debian and Ubuntu, `sudo apt install {package}` installs it."
         ),
-        None => format!("The window cannot be opened: {}.", error.lines().next().unwrap_or("the reason is unknown").trim_end_matches('.')),
+        None => format!(
+            "The window cannot be opened: {}.",
+            error.lines().next().unwrap_or("the reason is unknown").trim_end_matches('.')
+        ),
     }
 }

@@ -63,7 +63,8 @@ pub(crate) fn written(result: io::Result<()>) -> Result<(), Failure> {
 /// The operating system's reason, as an argument of a sentence.
 pub(crate) fn reason(error: &io::Error) -> rasterscope_core::message::Value {
     use io::ErrorKind::{
-        IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem, StorageFull,
+        FileTooLarge, IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem,
+        StorageFull,
     };
     use rasterscope_core::message::Value;
     match error.kind() {
@@ -73,6 +74,7 @@ pub(crate) fn reason(error: &io::Error) -> rasterscope_core::message::Value {
         NotADirectory => Value::Word("word-is-no-folder"),
         ReadOnlyFilesystem => Value::Word("word-read-only"),
         StorageFull => Value::Word("word-disk-full"),
+        FileTooLarge => Value::Word("word-too-large"),
         _ => Value::text(error),
     }
 }

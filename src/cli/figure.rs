@@ -31,7 +31,7 @@ pub struct FigureOptions {
     pub lab: String,
     /// A scene or a `compute` request.
     pub file: PathBuf,
-    /// After how many steps of the finest level; 0 is the start, `None` the step of the scene.
+    /// After how many steps of the finest level; 0 is the start, `None` the end.
     pub step: Option<usize>,
     /// Width and height in points, each in 16..=8192.
     pub size: [u32; 2],
@@ -44,7 +44,7 @@ pub struct FigureOptions {
 /// Draws a step and writes it whole or not at all.
 pub fn figure(options: &FigureOptions) -> Result<(), Failure> {
     check_name(&options.lab)?;
-    let ending = options.output.extension().map(|ending| ending.to_ascii_lowercase());
+    let ending = options.output.extension().map(std::ffi::OsStr::to_ascii_lowercase);
     let svg_wanted = match ending.as_deref().and_then(|ending| ending.to_str()) {
         Some("svg") => true,
         Some("png") => false,
@@ -58,12 +58,10 @@ pub fn figure(options: &FigureOptions) -> Result<(), Failure> {
         return Err(Failure::usage(&Message::new("error-figure-size")));
     }
     let scene = files::open_lab(&options.lab, &options.file)?;
-    let opened_at = scene.lab.as_ref().and_then(|lab| lab.step);
     let mut run = labs::play(&scene, Budget::default()).map_err(|message| Failure::work(&message))?;
-    run.seek(options.step.or(opened_at).unwrap_or(usize::MAX));
+    run.seek(options.step.unwrap_or(usize::MAX));
     let figure = draw(&*run, options.size.map(|side| side as f32), options.theme.theme());
-    let bytes =
-        if svg_wanted { svg::svg(&figure).into_bytes() } else { png::png(&figure, PIXELS_PER_POINT) };
+    let bytes = if svg_wanted { svg::svg(&figure).into_bytes() } else { png::png(&figure, PIXELS_PER_POINT) };
     files::write(&options.output, &bytes)
 }
 

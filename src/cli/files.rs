@@ -4,8 +4,12 @@
 //! preset. Output is written whole or not at all: beside its place first, then renamed.
 
 use rasterscope_core::{
+    labs,
     message::{Message, Value},
-    scene::{LabInput, Mesh, Scene, assets, fit},
+    scene::{
+        Lab, LabInput, MODEL_SIZE, Mesh, PRESETS, Preset, Scene, SceneError, model as built_in_model, preset,
+        scene_from_obj,
+    },
 };
 use std::{
     fs::{self, File},
@@ -64,7 +68,7 @@ enum Content {
 
 /// The scene of a FILE with its models loaded; the default preset without a FILE.
 pub fn open_scene(path: Option<&Path>) -> Result<Scene, Failure> {
-    let Some(path) = path else { return open_preset(&assets::PRESETS[0]) };
+    let Some(path) = path else { return open_preset(&PRESETS[0]) };
     match open(path)? {
         Content::Scene(scene) => Ok(scene),
         Content::Request(_) => {
@@ -87,9 +91,9 @@ pub(crate) fn open_lab(lab: &str, path: &Path) -> Result<Scene, Failure> {
         return Ok(scene);
     }
     // What needs no input beyond the scene's triangles starts on any scene that has some.
-    match rasterscope_core::labs::default_input(lab) {
+    match labs::default_input(lab) {
         Some(input) if !from_request && !matches!(input, LabInput::CohenSutherland { .. }) => {
-            scene.lab = Some(rasterscope_core::scene::Lab { step: None, input });
+            scene.lab = Some(Lab { step: None, input });
             Ok(scene)
         }
         _ => {
@@ -114,14 +118,14 @@ fn open(path: &Path) -> Result<Content, Failure> {
 /// The preset or model of that name.
 fn built_in(path: &Path) -> Option<Result<Content, Failure>> {
     let name = path.to_str()?;
-    if let Some(preset) = assets::preset(name.strip_suffix(".json").unwrap_or(name)) {
+    if let Some(preset) = preset(name.strip_suffix(".json").unwrap_or(name)) {
         return Some(open_preset(preset).map(Content::Scene));
     }
-    assets::model(name).map(|bytes| model(path, bytes))
+    built_in_model(name).map(|bytes| model(path, bytes))
 }
 
 /// A scene that is part of the program.
-pub(crate) fn open_preset(preset: &assets::Preset) -> Result<Scene, Failure> {
+pub(crate) fn open_preset(preset: &Preset) -> Result<Scene, Failure> {
     scene(Path::new(preset.name), Scene::from_json(preset.json.as_bytes()), None)
 }
 
@@ -151,14 +155,10 @@ fn looks_like_obj(text: &[u8]) -> bool {
 fn model(path: &Path, bytes: &[u8]) -> Result<Content, Failure> {
     let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
     let mesh = Mesh::from_obj(bytes).map_err(|error| Failure::work(&error.named(&file).message()))?;
-    Ok(Content::Scene(fit::scene_from_obj(&file, mesh, fit::MODEL_SIZE)))
+    Ok(Content::Scene(scene_from_obj(&file, mesh, MODEL_SIZE)))
 }
 
-fn scene(
-    path: &Path,
-    scene: Result<Scene, rasterscope_core::scene::SceneError>,
-    folder: Option<&Path>,
-) -> Result<Scene, Failure> {
+fn scene(path: &Path, scene: Result<Scene, SceneError>, folder: Option<&Path>) -> Result<Scene, Failure> {
     scene
         .and_then(|scene| scene.resolve(&mut |file| load_model(file, folder)))
         .map_err(|error| inside(path, &error.message()))
@@ -181,7 +181,7 @@ pub(crate) fn load_model(file: &str, folder: Option<&Path>) -> Result<Vec<u8>, S
             Err(error) => problem = error,
         }
     }
-    match assets::model(file) {
+    match built_in_model(file) {
         Some(bytes) => Ok(bytes.to_vec()),
         None => Err(WORDS.value(&reason(&problem))),
     }

@@ -7,6 +7,10 @@
 
 pub mod compute;
 mod failure;
+pub mod figure;
+pub mod files;
+pub mod list;
+pub mod trace;
 mod words;
 
 pub use failure::Failure;

@@ -1,6 +1,6 @@
 //! `rasterscope list`: labs, algorithms and presets, a sentence each.
 
-use rasterscope_core::{clip, labs, raster, scene::assets};
+use rasterscope_core::{clip, labs, raster, scene::PRESETS};
 use std::io::{self, Write};
 
 use crate::{Failure, failure::written, words};
@@ -15,10 +15,10 @@ fn write(output: &mut dyn Write) -> io::Result<()> {
     let lines = clip::line::Algorithm::ALL.map(clip::line::Algorithm::name);
     let rasters = raster::Algorithm::ALL.map(raster::Algorithm::name);
     let steps = ["transform", "z-buffer"];
-    let presets = assets::PRESETS.iter().map(|preset| (preset.name, words::of(&format!("preset-{}", preset.name))));
-    section(output, "list-labs", labs::ALL.map(|lab| about(lab.name)))?;
-    section(output, "list-algorithms", lines.into_iter().chain(rasters).chain(steps).map(about))?;
-    section(output, "list-presets", presets)
+    let presets = PRESETS.iter().map(|preset| (preset.name, words::of(&format!("preset-{}", preset.name))));
+    section(output, "cli-labs", labs::ALL.map(|lab| about(lab.name)))?;
+    section(output, "cli-algorithms", lines.into_iter().chain(rasters).chain(steps).map(about))?;
+    section(output, "cli-presets", presets)
 }
 
 /// A heading, and below it names with their sentences in two columns.

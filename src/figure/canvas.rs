@@ -13,6 +13,8 @@ use crate::{
 
 /// Everything is clipped to the canvas and this much around it, so that ends stay out of sight.
 const MARGIN: f64 = 24.0;
+/// More lines than this are not avoided by labels: in a mesh there is no free place anyway.
+const LINES: usize = 2000;
 /// Distance of hatch lines.
 const HATCH: f64 = 8.0;
 
@@ -54,8 +56,12 @@ pub(crate) struct Canvas<'a> {
     /// The visible part of the plane, in points.
     pub(crate) rect: Rect,
     layers: [Vec<Shape>; Layer::COUNT],
-    /// What no label may cover: handles, fixed plates, region codes.
+    /// The cells of a pixel grid, as far as they are on the canvas; else all of the canvas.
+    pub(crate) frame: Rect,
+    /// What no label may cover: handles, fixed plates, region codes, values.
     pub(crate) kept_clear: Vec<Rect>,
+    /// What labels avoid if they can: marks in cells.
+    pub(crate) small: Vec<Rect>,
     /// Lines of the current step; no label may cover them.
     pub(crate) active_lines: Vec<[[f64; 2]; 2]>,
     /// All other lines of roles; labels avoid them if they can.
@@ -64,13 +70,16 @@ pub(crate) struct Canvas<'a> {
 
 impl<'a> Canvas<'a> {
     pub(crate) fn new(placement: &Placement, size: [f32; 2], theme: &'a Theme, words: &'a Words) -> Self {
+        let rect = Rect { min: [0.0; 2], max: size.map(f64::from) };
         Self {
             theme,
             words,
             placement: *placement,
-            rect: Rect { min: [0.0; 2], max: size.map(f64::from) },
+            rect,
+            frame: rect,
             layers: Default::default(),
             kept_clear: Vec::new(),
+            small: Vec::new(),
             active_lines: Vec::new(),
             lines: Vec::new(),
         }
@@ -118,7 +127,9 @@ impl<'a> Canvas<'a> {
         let visible = self.rect;
         let lines = if role == Role::Active { &mut self.active_lines } else { &mut self.lines };
         for ends in segments(points, closed) {
-            lines.extend(visible.clip(ends));
+            if lines.len() < LINES {
+                lines.extend(visible.clip(ends));
+            }
         }
     }
 

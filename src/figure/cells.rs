@@ -26,10 +26,15 @@ const CORNER: f64 = 40.0;
 /// What is known of all pixels before the first is drawn.
 pub(crate) struct Cells {
     format: ColumnFormat,
-    /// Rows of the current step: first pixel and end.
-    spans: BTreeMap<i32, [i32; 2]>,
+    /// Spans of the current step by row.
+    spans: BTreeMap<i32, [f32; 2]>,
+    /// The mark whose value a pixel shows, and the one whose object it wears: the last.
+    values: BTreeMap<[i32; 2], usize>,
+    objects: BTreeMap<[i32; 2], usize>,
     /// Pixels that have a mark.
     pub(crate) taken: BTreeSet<[i32; 2]>,
+    /// Whether a picture lies under the grid: its pixels say what is drawn.
+    pub(crate) pictured: bool,
     /// Rows and columns of the current step.
     pub(crate) lit: crate::grid::Lit,
 }
@@ -43,21 +48,35 @@ impl Cells {
         let mut cells = Self {
             format: ColumnFormat::of(values, CELL_DECIMALS),
             spans: BTreeMap::new(),
+            values: BTreeMap::new(),
+            objects: BTreeMap::new(),
             taken: BTreeSet::new(),
+            pictured: false,
             lit: crate::grid::Lit::default(),
         };
-        for mark in marks {
+        for (index, mark) in marks.iter().enumerate() {
             match mark {
-                Mark::Pixel { at, role, .. } => {
+                Mark::Pixel { at, role, object, value } => {
                     cells.taken.insert(*at);
+                    if object.is_some() {
+                        cells.objects.insert(*at, index);
+                    }
+                    if *value != Value::None {
+                        cells.values.insert(*at, index);
+                    }
                     if *role == Role::Active {
                         cells.lit.columns.insert(at[0].into());
                         cells.lit.rows.insert(at[1].into());
                     }
                 }
                 Mark::Span { y, ends, role: Role::Active } => {
-                    cells.spans.insert(*y, covered(*ends));
+                    cells.spans.insert(*y, *ends);
                     cells.lit.rows.insert((*y).into());
+                }
+                Mark::Image { .. } => cells.pictured = true,
+                Mark::Guide { axis, at, role: Role::Active, .. } => {
+                    let lit = if *axis == 0 { &mut cells.lit.columns } else { &mut cells.lit.rows };
+                    lit.insert(at.floor() as i64);
                 }
                 _ => {}
             }
@@ -65,11 +84,23 @@ impl Cells {
         cells
     }
 
-    pub(crate) fn pixel(&self, canvas: &mut Canvas<'_>, mark: &Mark) {
+    /// Whether a span of the current step ends at `p`, so that its end is marked already.
+    pub(crate) fn ends_span(&self, p: [f32; 2]) -> bool {
+        let row = p[1].floor();
+        p[1] - row == 0.5 && self.spans.get(&(row as i32)).is_some_and(|ends| ends.contains(&p[0]))
+    }
+
+    /// Draws the pixel that is mark number `index`.
+    pub(crate) fn pixel(&self, canvas: &mut Canvas<'_>, index: usize, mark: &Mark) {
         let Mark::Pixel { at, role, object, value } = mark else { return };
         let Some(rect) = cell_rect(canvas, *at, [1, 1]) else { return };
-        let ground = fill(canvas, rect, *role, *object);
-        let shown = *value != Value::None && self.value(canvas, rect, *role, *object, value, ground);
+        let covered = self.objects.get(at).is_some_and(|&last| last != index);
+        let ground = fill(canvas, rect, *role, *object, covered);
+        let shown = match self.values.get(at) {
+            Some(&last) if last == index => self.value(canvas, rect, *role, *object, value, ground),
+            Some(_) => canvas.placement.scale >= VALUES,
+            None => false,
+        };
         self.marks(canvas, rect, *at, *role, shown);
     }
 
@@ -93,18 +124,21 @@ impl Cells {
         if cell < 10.0 {
             return;
         }
-        let in_active_span =
-            self.spans.get(&at[1]).is_some_and(|[first, end]| (*first..*end).contains(&at[0]));
+        let in_active_span = self.spans.get(&at[1]).is_some_and(|&ends| {
+            let [first, end] = covered(ends);
+            (first..end).contains(&at[0])
+        });
+        let loud = matches!(role, Role::Tie | Role::Changed);
+        canvas.small.push(if loud { rect } else { Rect::around(rect.center(), [10.0; 2]) });
         match role {
             Role::Active | Role::Neutral | Role::Changed => {}
+            Role::Accepted | Role::Rejected if shown && cell < CORNER => {}
             Role::Accepted | Role::Rejected if shown => {
-                if cell >= CORNER {
-                    let radius = 6.5 + grown;
-                    let inset = f64::from(radius) + 3.0 + f64::from(grown);
-                    let corner = narrow([rect.max[0] - inset, rect.min[1] + inset]);
-                    let shapes = marker(style.marker, corner, radius, style.color, theme.canvas);
-                    canvas.extend(Layer::Handle, shapes);
-                }
+                let radius = 6.5 + grown;
+                let inset = f64::from(radius) + 4.0 + f64::from(grown);
+                let corner = narrow([rect.max[0] - inset, rect.min[1] + inset]);
+                let shapes = marker(style.marker, corner, radius, style.color, theme.canvas);
+                canvas.extend(Layer::Handle, shapes);
             }
             Role::Accepted => {
                 let color = if in_active_span { style.color } else { theme.text };
@@ -171,6 +205,7 @@ impl Cells {
                 let shape = Canvas::rect_shape(plate_rect, 3.0, Some(plate.alpha(0.9)), None);
                 canvas.push(Layer::Plate, shape);
             }
+            canvas.kept_clear.push(Rect::around(center, style.measure()));
             canvas.text(Layer::Text, center, style);
         }
         true
@@ -194,15 +229,17 @@ impl Cells {
     }
 }
 
-/// The fill of a pixel; answers what its value stands on.
-fn fill(canvas: &mut Canvas<'_>, rect: Rect, role: Role, object: Option<usize>) -> Color {
+/// The fill of a pixel, unless a later mark's object covers it; answers what its value stands on.
+fn fill(canvas: &mut Canvas<'_>, rect: Rect, role: Role, object: Option<usize>, covered: bool) -> Color {
     let theme = canvas.theme;
     let mut ground = theme.canvas;
     let mut paint = |canvas: &mut Canvas<'_>, color: Color| {
         ground = color.over(ground);
         run(canvas, rect, color);
     };
-    if let Some(index) = object {
+    if let Some(index) = object
+        && !covered
+    {
         let (color, repeated) = theme.object(index);
         paint(canvas, color.alpha(theme.object_alpha));
         if repeated {
@@ -240,13 +277,13 @@ fn run(canvas: &mut Canvas<'_>, rect: Rect, color: Color) {
 /// Outline of the pixel in hand: 3 points outside the cell, with a gap around it.
 fn selection(canvas: &mut Canvas<'_>, rect: Rect) {
     let width = 3.0 + canvas.theme.extra_stroke;
-    let wide = f64::from(width);
-    let gap = Stroke::solid(canvas.theme.canvas, width);
+    let gap = Stroke::solid(canvas.theme.canvas, width + 3.0);
     let line = Stroke::solid(canvas.theme.style(Role::Active).color, width);
-    for (out, stroke) in [(1.5 * wide, gap), (-0.5 * wide, gap), (0.5 * wide, line)] {
-        canvas.push(Layer::Selection, Canvas::rect_shape(rect.grown(out), 0.0, None, Some(stroke)));
+    let outline = rect.grown(f64::from(width) / 2.0);
+    for stroke in [gap, line] {
+        canvas.push(Layer::Selection, Canvas::rect_shape(outline, 0.0, None, Some(stroke)));
     }
-    canvas.kept_clear.push(rect.grown(2.0 * wide));
+    canvas.kept_clear.push(rect.grown(f64::from(width) + 2.0));
 }
 
 /// A half-open span on the centre line of its row.
@@ -265,12 +302,9 @@ pub(crate) fn span(canvas: &mut Canvas<'_>, y: i32, ends: [f32; 2], role: Role) 
             let color = canvas.active_fill();
             canvas.push(Layer::Fill, Canvas::rect_shape(rect, 0.0, Some(color), None));
         }
-        let across = [[canvas.rect.min[0], left[1]], [canvas.rect.max[0], left[1]]];
-        let stroke = Stroke { color: style.color, width: 1.0, dash: &[3.0, 3.0], phase: 0.0 };
-        canvas.line(Layer::Outline, &across, false, stroke);
     }
     canvas.role_line(&[left, right], false, role);
-    let layer = if role == Role::Active { Layer::ActiveHandle } else { Layer::Handle };
+    let layer = Layer::Handle;
     let grown = canvas.theme.extra_stroke;
     if canvas.sees(left) {
         canvas.push(layer, disc(narrow(left), 5.0 + grown, style.color));

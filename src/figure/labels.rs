@@ -22,6 +22,8 @@ const WITH_VALUES: usize = 12;
 const LABELS: usize = 60;
 /// Distance of a plate from its point.
 const GAP: f64 = 14.0;
+/// Height of a plate in sizes of its text.
+pub(crate) const PLATE: f64 = 1.42;
 /// What stays free at the canvas's sides.
 const BORDER: f64 = 4.0;
 /// Right below, left above, right above, left below.
@@ -124,7 +126,7 @@ pub(crate) fn draw(canvas: &mut Canvas<'_>, wishes: &[Wish], held: Option<&Place
             _ => canvas.theme.sizes.canvas,
         };
         let style = TextStyle { text: &text, font, size, color: color(canvas, wish.role) };
-        let extent = [style.measure()[0] + 12.0, f64::from(size) * 1.42];
+        let extent = [style.measure()[0] + 12.0, f64::from(size) * PLATE];
         places[index] = match held {
             Some(held) => held.0[index],
             None => place(canvas, wish.anchor, extent),
@@ -144,7 +146,13 @@ pub(crate) fn draw(canvas: &mut Canvas<'_>, wishes: &[Wish], held: Option<&Place
 /// The first place that is free.
 fn place(canvas: &Canvas<'_>, anchor: Anchor, size: [f64; 2]) -> Place {
     let at = anchor.at();
-    let near = near(anchor, size);
+    let mut near = near(anchor, size);
+    for offset in near.iter_mut().filter(|offset| offset[1].abs() > GAP) {
+        // Above or below its point a plate may slide to stay on the canvas.
+        let bound = BORDER + size[0] / 2.0;
+        let far = (canvas.rect.max[0] - bound).max(bound);
+        offset[0] = (at[0] + offset[0]).clamp(bound, far) - at[0];
+    }
     let rect = |offset: [f64; 2]| Rect::around([at[0] + offset[0], at[1] + offset[1]], size);
     let free = near.iter().find(|&&offset| free(canvas, rect(offset), true));
     if let Some(&offset) =
@@ -191,7 +199,11 @@ fn near(anchor: Anchor, [width, height]: [f64; 2]) -> Vec<[f64; 2]> {
             let length = crate::geometry::distance(a, b).max(1e-9);
             let normal = [(a[1] - b[1]) / length, (b[0] - a[0]) / length];
             let reach = 6.0 + (normal[0].abs() * width + normal[1].abs() * height) / 2.0;
-            offsets.extend([reach, -reach].map(|reach| normal.map(|c| c * reach)));
+            // Beside the middle, then beside other parts of it.
+            for t in [0.0, -0.15, 0.15, -0.3, 0.3] {
+                let [x, y] = [t * (b[0] - a[0]), t * (b[1] - a[1])];
+                offsets.extend([reach, -reach].map(|reach| [x + normal[0] * reach, y + normal[1] * reach]));
+            }
             offsets.extend(CORNERS.map(|[x, y]| [x * (6.0 + width / 2.0), y * (6.0 + height / 2.0)]));
         }
     }
@@ -207,11 +219,18 @@ fn around_area(offsets: &mut Vec<[f64; 2]>, height: f64) {
     }
 }
 
-fn free(canvas: &Canvas<'_>, rect: Rect, clear_of_lines: bool) -> bool {
-    rect.inside(canvas.rect.grown(-BORDER))
-        && !canvas.kept_clear.iter().any(|other| other.overlaps(rect))
-        && !canvas.active_lines.iter().any(|&ends| rect.grown(3.0).clip(ends).is_some())
-        && !(clear_of_lines && canvas.lines.iter().any(|&ends| rect.clip(ends).is_some()))
+/// Whether a plate may stand there; `strictly`: clear also of what it might cover if need be.
+fn free(canvas: &Canvas<'_>, rect: Rect, strictly: bool) -> bool {
+    let covers = |rects: &[Rect]| rects.iter().any(|other| other.overlaps(rect));
+    let near = rect.grown(3.0);
+    if !rect.inside(canvas.rect.grown(-BORDER))
+        || covers(&canvas.kept_clear)
+        || canvas.active_lines.iter().any(|&ends| near.clip(ends).is_some())
+    {
+        return false;
+    }
+    let crosses = || canvas.lines.iter().any(|&ends| rect.clip(ends).is_some());
+    !strictly || !(covers(&canvas.small) || crosses())
 }
 
 /// From the anchor to the nearest point of the plate.
@@ -229,7 +248,7 @@ pub(crate) fn guide(canvas: &mut Canvas<'_>, axis: usize, at: f64, label: &Label
     let active = role == Role::Active;
     let font = if active { Font::MonoBold } else { Font::Mono };
     let style = TextStyle { text: &text, font, size: theme.sizes.canvas, color: color(canvas, role) };
-    let extent = [style.measure()[0] + 12.0, f64::from(theme.sizes.canvas) * 1.42];
+    let extent = [style.measure()[0] + 12.0, f64::from(theme.sizes.canvas) * PLATE];
     let far = canvas.rect.max;
     let centers = if axis == 0 {
         [[at, far[1] - 6.0 - extent[1] / 2.0], [at, 6.0 + extent[1] / 2.0]]

@@ -48,28 +48,29 @@ pub fn draw_held(
 ) -> (Figure, Places) {
     let mut canvas = Canvas::new(placement, size, theme, words);
     let cells = Cells::of(marks);
-    grid::draw(&mut canvas, view, &cells.taken, &cells.lit);
+    grid::draw(&mut canvas, view, &cells);
     let mut wishes = Vec::new();
     let mut wish = |anchor: Option<Anchor>, label: &Option<Label>, role: Role| {
         if let (Some(anchor), Some(label)) = (anchor, label) {
             wishes.push(Wish { anchor, label: label.clone(), role });
         }
     };
-    for mark in marks {
+    for (index, mark) in marks.iter().enumerate() {
         match mark {
             Mark::Point { at, role, label } => {
-                wish(point(&mut canvas, *at, *role), label, *role);
+                let marked = *role == Role::Active && cells.ends_span(*at);
+                wish(point(&mut canvas, *at, *role, marked), label, *role);
             }
             Mark::Segment { ends, role, label } => {
                 wish(segment(&mut canvas, *ends, *role), label, *role);
             }
             Mark::Guide { axis, at, role, label } => {
-                guide(&mut canvas, usize::from(*axis != 0), *at, *role, label)
+                guide(&mut canvas, view, usize::from(*axis != 0), *at, *role, label);
             }
             Mark::Polygon { points, role, object, label } => {
                 wish(polygon(&mut canvas, view, points, *role, *object), label, *role);
             }
-            Mark::Pixel { .. } => cells.pixel(&mut canvas, mark),
+            Mark::Pixel { .. } => cells.pixel(&mut canvas, index, mark),
             Mark::Span { y, ends, role } => cells::span(&mut canvas, *y, *ends, *role),
             Mark::Text { at, label, role, big } => text(&mut canvas, *at, label, *role, *big),
             Mark::Image { size, rgba } => image(&mut canvas, *size, rgba),
@@ -84,9 +85,9 @@ pub fn hidden_values(marks: &[Mark], placement: &Placement) -> Option<Message> {
     cells::too_small(marks, placement.scale)
 }
 
-fn point(canvas: &mut Canvas<'_>, at: [f32; 2], role: Role) -> Option<Anchor> {
+fn point(canvas: &mut Canvas<'_>, at: [f32; 2], role: Role, marked: bool) -> Option<Anchor> {
     let at = canvas.points(at)?;
-    if canvas.sees(at) {
+    if canvas.sees(at) && !marked {
         let style = canvas.theme.style(role);
         let layer = if role == Role::Active { Layer::ActiveHandle } else { Layer::Handle };
         canvas.extend(layer, markers::point(style.marker, narrow(at), style.color, canvas.theme));
@@ -111,16 +112,22 @@ fn segment(canvas: &mut Canvas<'_>, ends: [[f32; 2]; 2], role: Role) -> Option<A
     Some(Anchor::Segment(visible))
 }
 
-fn guide(canvas: &mut Canvas<'_>, axis: usize, at: f32, role: Role, label: &Option<Label>) {
+fn guide(canvas: &mut Canvas<'_>, view: &View, axis: usize, at: f32, role: Role, label: &Option<Label>) {
     let Some(at) = canvas.points([at; 2]).map(|p| p[axis]) else { return };
     if !(0.0..=canvas.rect.max[axis]).contains(&at) {
         return;
     }
-    let far = canvas.rect.max[1 - axis];
-    let line = [0.0, far].map(|along| if axis == 0 { [at, along] } else { [along, at] });
+    let across = [canvas.frame.min[1 - axis], canvas.frame.max[1 - axis]];
+    let line = across.map(|along| if axis == 0 { [at, along] } else { [along, at] });
     if matches!(role, Role::Neutral | Role::Candidate) {
+        // Construction lies under all outlines.
         let width = 1.5 + canvas.theme.extra_stroke;
         let stroke = Stroke { color: canvas.theme.edge, width, dash: &[6.0, 4.0], phase: 0.0 };
+        canvas.line(Layer::Grid, &line, false, stroke);
+    } else if view.grid == Grid::Pixels {
+        // The row or column in hand: the span on it is what is lit.
+        let color = canvas.theme.style(role).color;
+        let stroke = Stroke { color, width: 1.0, dash: &[3.0, 3.0], phase: 0.0 };
         canvas.line(Layer::Outline, &line, false, stroke);
     } else {
         canvas.role_line(&line, false, role);
@@ -184,7 +191,9 @@ fn text(canvas: &mut Canvas<'_>, at: [f32; 2], label: &Label, role: Role, big: b
     let color = if quiet { theme.dim } else { labels::color(canvas, role) };
     let style = TextStyle { text: &text, font, size, color };
     let extent = style.measure();
-    let min = if big { [at[0] + 12.0, at[1] + 9.0] } else { [at[0] + 6.0, at[1] + 3.0] };
+    // Clear of the plate of a guide through the corner.
+    let down = f64::from(theme.sizes.canvas) * labels::PLATE / 2.0 + 3.0;
+    let min = if big { [at[0] + 12.0, at[1] + down] } else { [at[0] + 6.0, at[1] + 3.0] };
     let rect = Rect { min, max: [min[0] + extent[0], min[1] + extent[1]] };
     let hidden = |other: &Rect| other.overlaps(rect);
     if text.is_empty() || !rect.inside(canvas.rect) || canvas.kept_clear.iter().any(hidden) {
@@ -201,7 +210,7 @@ fn text(canvas: &mut Canvas<'_>, at: [f32; 2], label: &Label, role: Role, big: b
         let plate = rect.grown(3.0);
         canvas.plate(plate, theme.canvas.alpha(0.9), None, style);
     }
-    canvas.kept_clear.push(rect.grown(3.0));
+    canvas.kept_clear.push(rect);
 }
 
 fn image(canvas: &mut Canvas<'_>, size: [usize; 2], rgba: &std::sync::Arc<Vec<u8>>) {

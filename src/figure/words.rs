@@ -40,8 +40,10 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "labs"
     "scene"
     "ui"
+    "pipeline"
     "transform"
     "cohen-sutherland"
+    "aabb"
     "scanline"
     "z-buffer"
     "figure"
@@ -98,8 +100,13 @@ impl Words {
     }
 
     /// The word or phrase `id`; `⟨id⟩` if there is none.
-    pub fn word(&self, id: &'static str) -> String {
-        self.message(&Message::new(id))
+    pub fn word(&self, id: &str) -> String {
+        self.format(id, &[]).unwrap_or_else(|_| format!("⟨{id}⟩"))
+    }
+
+    /// Whether there is a message `id`.
+    pub fn has(&self, id: &str) -> bool {
+        self.bundle.has_message(id)
     }
 
     /// `value` in its shortest form; a [`Value::Word`] in words.
@@ -112,14 +119,18 @@ impl Words {
 
     /// The sentence of `message`, or what is wrong with it: unknown, or a value missing.
     pub fn try_message(&self, message: &Message) -> Result<String, String> {
+        self.format(message.id, &message.args)
+    }
+
+    fn format(&self, id: &str, args: &[(&'static str, Value)]) -> Result<String, String> {
         let pattern = self
             .bundle
-            .get_message(message.id)
+            .get_message(id)
             .and_then(|found| found.value())
-            .ok_or_else(|| format!("{}: no such message in {}", message.id, self.language.tag))?;
-        let mut args = FluentArgs::with_capacity(message.args.len());
-        for (name, value) in &message.args {
-            args.set(
+            .ok_or_else(|| format!("{id}: no such message in {}", self.language.tag))?;
+        let mut values = FluentArgs::with_capacity(args.len());
+        for (name, value) in args {
+            values.set(
                 *name,
                 match value {
                     // A number stays one, so that a message can choose its plural form.
@@ -129,11 +140,11 @@ impl Words {
             );
         }
         let mut errors = Vec::new();
-        let text = self.bundle.format_pattern(pattern, Some(&args), &mut errors).into_owned();
+        let text = self.bundle.format_pattern(pattern, Some(&values), &mut errors).into_owned();
         if errors.is_empty() {
             return Ok(text);
         }
-        let mut report = format!("{}:", message.id);
+        let mut report = format!("{id}:");
         for error in errors {
             // Writing to a String cannot fail.
             let _ = write!(report, " {error}");

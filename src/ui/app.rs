@@ -4,15 +4,12 @@ use crate::{
     document::{Document, ViewState},
     face::Command,
     labs::{self, Lab},
+    overview::Overview,
     paint::Textures,
     platform::Platform,
-    presets::{self, PresetInfo},
+    presets::{self, Names, PresetInfo},
     run::Run,
-    shell::{
-        canvas::Canvas,
-        inspector::Digest,
-        notice::Notice,
-    },
+    shell::{canvas::Canvas, inspector::Digest, notice::Notice},
     theme::{self, Look},
 };
 use egui::{Context, Ui};
@@ -36,10 +33,12 @@ pub struct App {
     /// The scene that the run is of, and why there is no run.
     ran: Option<(Scene, Option<Message>)>,
     pub(crate) digest: Option<Digest>,
+    pub(crate) overview: Overview,
     pub(crate) canvas: Canvas,
     pub(crate) textures: Textures,
     pub(crate) labs: Vec<Box<dyn Lab>>,
     pub(crate) presets: Vec<PresetInfo>,
+    pub(crate) names: Names,
     /// The preset that was opened, and what it was; no longer chosen once something is edited.
     pub(crate) preset: Option<(&'static str, Document)>,
     pub(crate) notice: Option<Notice>,
@@ -54,6 +53,7 @@ impl App {
     pub fn new(ctx: &Context) -> Self {
         ctx.set_fonts(theme::fonts());
         let words = Rc::new(Words::default());
+        let names = Names::new(&words);
         let view = ViewState::default();
         let look = Rc::new(Look::new(view.theme));
         look.apply(ctx);
@@ -64,10 +64,12 @@ impl App {
             run: Run::default(),
             ran: None,
             digest: None,
+            overview: Overview::default(),
             canvas: Canvas::default(),
             textures: Textures::default(),
             labs: labs::registry(),
-            presets: presets::all(&words),
+            presets: presets::all(&names, &words),
+            names,
             preset: None,
             notice: None,
             path: None,
@@ -76,6 +78,8 @@ impl App {
         };
         if let Some(first) = app.presets.first() {
             app.open_preset(first.name);
+            // What the window starts with is no edit.
+            app.history = History::default();
         }
         app
     }
@@ -113,6 +117,7 @@ impl App {
     /// Starts the run anew if what it depends on has changed.
     pub(crate) fn update(&mut self) {
         let scene = &self.document.scene;
+        self.overview.update(scene, self.view.skips);
         if self.ran.as_ref().is_some_and(|(old, _)| old == scene) {
             return;
         }

@@ -1,13 +1,6 @@
 //! What happens when a panel or a key asks for something.
 
-use crate::{
-    app::App,
-    face::Command,
-    files,
-    platform::Platform,
-    shell::notice::Notice,
-    theme::Look,
-};
+use crate::{app::App, face::Command, files, platform::Platform, shell::notice::Notice, theme::Look};
 use egui::Context;
 use rasterscope_core::{
     labs as core_labs,
@@ -46,7 +39,10 @@ impl App {
             Command::TextSize(size) => ctx.set_zoom_factor(size),
             Command::Keys => self.view.keys = !self.view.keys,
             Command::Choices => self.view.choices = !self.view.choices,
-            Command::Fit => self.canvas.fit(),
+            Command::Fit => {
+                self.canvas.fit();
+                self.view.orbit = None;
+            }
             Command::Escape => self.escape(ctx),
             Command::Stage(stage) => {
                 let lab = core_labs::ALL.iter().find(|lab| lab.stage == stage);
@@ -114,7 +110,8 @@ impl App {
     }
 
     fn ask_path(&mut self, save: bool) {
-        let path = self.path.clone().unwrap_or_else(|| if save { "scene.json".to_owned() } else { String::new() });
+        let path =
+            self.path.clone().unwrap_or_else(|| if save { "scene.json".to_owned() } else { String::new() });
         self.notice = Some(Notice::Path { save, path, fresh: true });
     }
 

@@ -2,9 +2,10 @@
 
 use rasterscope_core::{
     explain::Level,
+    pipeline::Skips,
     scene::{Lab, LabInput, Scene},
 };
-use rasterscope_figure::theme::ThemeName;
+use rasterscope_figure::{orbit::Orbit, theme::ThemeName};
 
 /// Everything the user edits. Nothing derived lives here.
 #[derive(Clone, Debug, PartialEq)]
@@ -122,16 +123,14 @@ pub(crate) struct ViewState {
     pub(crate) tab: Tab,
     /// The pixel whose history is shown.
     pub(crate) pixel: Option<[u32; 2]>,
+    /// The camera outside the frustum, once it was used.
+    pub(crate) orbit: Option<Orbit>,
+    /// What the pipeline may leave out; it never changes the image.
+    pub(crate) skips: Skips,
     /// What the overview's canvas shows.
     pub(crate) scenery: Scenery,
     /// Whether the overview draws the outlines of triangles.
     pub(crate) outlines: bool,
-    /// Whether the overview draws the pixel grid.
-    pub(crate) grid: bool,
-    /// How much larger than fitting the canvas is drawn.
-    pub(crate) zoom: f32,
-    /// How far the drawing is moved, in parts of the canvas's size.
-    pub(crate) pan: [f32; 2],
     /// Where dragged points snap to.
     pub(crate) snap: Snap,
     /// Whether the choices lie over the canvas of a narrow window.
@@ -149,11 +148,10 @@ impl Default for ViewState {
             due: None,
             tab: Tab::Step,
             pixel: None,
+            orbit: None,
+            skips: Skips::ALL,
             scenery: Scenery::Image,
             outlines: true,
-            grid: true,
-            zoom: 1.0,
-            pan: [0.0; 2],
             snap: Snap::Half,
             choices: false,
             keys: false,

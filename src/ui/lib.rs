@@ -13,13 +13,13 @@ mod document;
 mod face;
 mod files;
 mod labs;
+mod overview;
 mod paint;
 mod panels;
 mod platform;
 mod presets;
 mod run;
 mod shell;
-mod stages;
 mod theme;
 mod widgets;
 

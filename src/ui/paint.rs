@@ -2,8 +2,8 @@
 
 use crate::theme::{Look, color, family};
 use egui::{
-    Align2, Color32, ColorImage, Context, FontId, Mesh, Painter, Pos2, Rect, StrokeKind, TextureHandle, TextureOptions,
-    Vec2, pos2,
+    Align2, Color32, ColorImage, Context, FontId, Mesh, Painter, Pos2, Rect, StrokeKind, TextureHandle,
+    TextureOptions, Vec2, pos2,
 };
 use rasterscope_core::explain::Role;
 use rasterscope_figure::{
@@ -59,7 +59,8 @@ impl std::fmt::Debug for Textures {
 
 /// Paints a figure with its upper left corner at `at`.
 pub(crate) fn figure(painter: &Painter, textures: &mut Textures, at: Pos2, figure: &Figure) {
-    let painter = painter.with_clip_rect(painter.clip_rect().intersect(Rect::from_min_size(at, figure.size.into())));
+    let painter =
+        painter.with_clip_rect(painter.clip_rect().intersect(Rect::from_min_size(at, figure.size.into())));
     let mut shapes = Shapes { painter: &painter, origin: at.to_vec2() };
     for shape in &figure.shapes {
         match shape {
@@ -113,7 +114,8 @@ impl Shapes<'_> {
                 let outline = stroke.as_ref().filter(|s| s.dash.is_empty()).map_or(egui::Stroke::NONE, solid);
                 self.painter.rect(rect, *radius, fill, outline, StrokeKind::Middle);
                 if let Some(stroke) = stroke.filter(|s| !s.dash.is_empty()) {
-                    let corners = [rect.left_top(), rect.right_top(), rect.right_bottom(), rect.left_bottom()];
+                    let corners =
+                        [rect.left_top(), rect.right_top(), rect.right_bottom(), rect.left_bottom()];
                     self.line(corners.into(), true, &stroke);
                 }
             }
@@ -144,7 +146,8 @@ impl Shapes<'_> {
         }
         let dashes: Vec<f32> = stroke.dash.iter().copied().step_by(2).collect();
         let gaps: Vec<f32> = stroke.dash.iter().copied().skip(1).step_by(2).collect();
-        let lines = egui::Shape::dashed_line_with_offset(&points, solid(stroke), &dashes, &gaps, -stroke.phase);
+        let lines =
+            egui::Shape::dashed_line_with_offset(&points, solid(stroke), &dashes, &gaps, -stroke.phase);
         self.painter.extend(lines);
     }
 }

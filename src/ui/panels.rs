@@ -5,14 +5,13 @@ use crate::{
     face::{Command, Face},
     shell::{
         Frame, NARROW,
-        canvas::Drawing,
-        choices,
-        inspector::{self, Digest},
+        canvas::{Drawing, Maker},
+        choices, header,
+        inspector::{self, Digest, Whole},
         keys, menu, notice,
         ribbon::{self, Shape},
         timeline,
     },
-    stages,
     theme::Text,
 };
 use egui::{Align2, CentralPanel, Color32, Margin, Panel, Rect, Ui, UiBuilder, vec2};
@@ -41,10 +40,15 @@ impl App {
             narrow,
             title: self.words.word(name),
             subtitle: self.subtitle(),
-            about: self.words.word(stages::about(name)),
+            about: self.words.word(about(name)),
             lab: name,
-            preset: self.preset.as_ref().filter(|(_, document)| *document == self.document).map(|(name, _)| *name),
+            preset: self
+                .preset
+                .as_ref()
+                .filter(|(_, document)| *document == self.document)
+                .map(|(name, _)| *name),
             presets: &presets,
+            note: self.names.text(&self.words, &self.document.scene.note),
             problem: self.problem(),
         };
         let plain = |fill: Color32, margin: Margin| egui::Frame::NONE.fill(fill).inner_margin(margin);
@@ -60,7 +64,7 @@ impl App {
             (_, "pipeline") => Shape::Tall,
             _ => Shape::Flat,
         };
-        let chips = self.chips();
+        let chips = self.overview.chips(self.view.theme, &words);
         Panel::top("ribbon")
             .exact_size(shape.height())
             .resizable(false)
@@ -94,15 +98,33 @@ impl App {
             (false, true) => 400.0,
             (false, false) => 360.0,
         };
-        Panel::right("inspector").exact_size(width).resizable(false).frame(plain(look.panel, Margin::ZERO)).show(ui, |ui| {
-            let shown = self.run.shown();
-            let digest = Digest::update(&mut self.digest, shown, &words);
-            inspector::show(ui, &face, &frame, shown, digest, &mut self.view);
-        });
+        Panel::right("inspector")
+            .exact_size(width)
+            .resizable(false)
+            .frame(plain(look.panel, Margin::ZERO))
+            .show(ui, |ui| {
+                let shown = self.run.shown();
+                let digest = Digest::update(&mut self.digest, shown, &words);
+                let history = self.view.pixel.and_then(|pixel| self.overview.history(pixel, &words));
+                let stages = (name == "pipeline").then(|| self.overview.table(&words));
+                let whole = Whole { history: history.as_deref(), stages: stages.as_deref() };
+                inspector::show(ui, &face, &frame, shown, digest, whole, &mut self.view);
+            });
         CentralPanel::default().frame(plain(look.canvas, Margin::ZERO)).show(ui, |ui| {
             let rect = ui.max_rect();
             ui.set_clip_rect(rect);
-            self.canvas_panel(ui, &face, &frame, lab);
+            if name == "pipeline" {
+                let head = rect.with_max_y(rect.top() + 42.0);
+                header::show(ui, &face, head, &self.document.scene, &mut self.view);
+                let body = rect.with_min_y(head.bottom());
+                let builder = UiBuilder::new().max_rect(body);
+                ui.scope_builder(builder, |ui| {
+                    ui.set_clip_rect(body);
+                    self.canvas_panel(ui, &face, &frame, lab);
+                });
+            } else {
+                self.canvas_panel(ui, &face, &frame, lab);
+            }
             if narrow && self.view.choices {
                 self.drawer(ui, &face, &frame, lab, rect);
             }
@@ -114,7 +136,21 @@ impl App {
     }
 
     fn canvas_panel(&mut self, ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, lab: usize) {
-        let Some(shown) = self.run.shown() else {
+        let overview =
+            frame.lab == "pipeline" && self.run.shown().is_none_or(|shown| shown.cursor == shown.len);
+        let picture = if overview { self.overview.picture(&mut self.view) } else { None };
+        let drawing = match (&picture, self.run.shown()) {
+            (Some(picture), _) => Some(Drawing {
+                marks: &picture.marks,
+                view: &picture.view,
+                rev: (Maker::Overview, picture.rev),
+            }),
+            (None, Some(shown)) => {
+                Some(Drawing { marks: &shown.marks, view: &shown.view, rev: (Maker::Run, shown.rev) })
+            }
+            (None, None) => None,
+        };
+        let Some(drawing) = drawing else {
             let rect = ui.max_rect().shrink(40.0);
             let text = frame.problem.clone().unwrap_or_else(|| face.say("ui-canvas-empty"));
             let font = face.look.font(Text::Sentence);
@@ -123,7 +159,6 @@ impl App {
             ui.painter().galley(at, galley, face.look.dim);
             return;
         };
-        let drawing = Drawing { marks: &shown.marks, view: &shown.view, rev: shown.rev };
         let lab = self.labs[lab].as_ref();
         self.canvas.show(ui, face, &mut self.textures, drawing, lab, &mut self.document, &mut self.view);
     }
@@ -146,7 +181,18 @@ impl App {
         match (&self.path, preset) {
             (Some(path), _) => path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned(),
             (None, Some(preset)) => preset.title.clone(),
-            (None, None) => crate::presets::text(&self.words, &self.document.scene.name),
+            (None, None) => self.names.text(&self.words, &self.document.scene.name),
         }
+    }
+}
+
+/// The message that says in one sentence what a lab is about.
+fn about(lab: &str) -> &'static str {
+    match lab {
+        "pipeline" => "pipeline-about",
+        "transform" => "transform-about",
+        "cohen-sutherland" => "cohen-sutherland-about",
+        "scanline" => "scanline-about",
+        _ => "z-buffer-about",
     }
 }

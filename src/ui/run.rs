@@ -44,7 +44,10 @@ impl Run {
     /// end.
     pub(crate) fn set(&mut self, mut playback: Box<dyn Playback>) {
         self.runs += 1;
-        let same = self.shown.as_ref().filter(|_| self.playback.as_ref().is_some_and(|p| p.name() == playback.name()));
+        let same = self
+            .shown
+            .as_ref()
+            .filter(|_| self.playback.as_ref().is_some_and(|p| p.name() == playback.name()));
         let step = match same {
             Some(old) if old.cursor == old.len => playback.len(),
             Some(old) => old.cursor,

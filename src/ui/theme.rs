@@ -3,8 +3,8 @@
 //! The only file of this crate that makes a colour or names a font size; a test greps that.
 
 use egui::{
-    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Shadow, Stroke, Style,
-    TextStyle, Visuals, vec2,
+    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Shadow, Stroke,
+    Style, TextStyle, Visuals, vec2,
 };
 use rasterscope_core::explain::Role;
 use rasterscope_figure::{
@@ -75,7 +75,6 @@ pub(crate) enum Text {
     /// The smallest allowed.
     Small,
 }
-
 
 impl Look {
     /// The look of one theme.
@@ -189,6 +188,7 @@ impl Look {
         spacing.menu_margin = Margin::same(6);
         spacing.scroll.floating = false;
         spacing.scroll.bar_width = 8.0;
+        spacing.scroll.foreground_color = false;
         style.animation_time = 0.0;
         style.interaction.selectable_labels = false;
         style.interaction.interact_radius = 3.0;
@@ -254,7 +254,8 @@ pub(crate) fn fonts() -> FontDefinitions {
     let mut fonts = FontDefinitions::empty();
     for font in Font::ALL {
         fonts.font_data.insert(format!("{font:?}"), Arc::new(FontData::from_static(text::data(font))));
-        let fallback = if matches!(font, Font::SansBold | Font::MonoBold) { Font::MonoBold } else { Font::Mono };
+        let fallback =
+            if matches!(font, Font::SansBold | Font::MonoBold) { Font::MonoBold } else { Font::Mono };
         let names = [font, fallback].map(|font| format!("{font:?}"));
         fonts.families.insert(family(font), names.into());
     }
@@ -264,4 +265,9 @@ pub(crate) fn fonts() -> FontDefinitions {
 /// A colour of the figure crate as egui's.
 pub(crate) fn color(Color([r, g, b, a]): Color) -> Color32 {
     Color32::from_rgba_unmultiplied(r, g, b, a)
+}
+
+/// A colour of the image: its codes as they are stored.
+pub(crate) fn code([r, g, b, _]: [u8; 4]) -> Color32 {
+    Color32::from_rgb(r, g, b)
 }

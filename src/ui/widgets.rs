@@ -5,7 +5,8 @@ use crate::{
     theme::{Look, Text},
 };
 use egui::{
-    Align2, Color32, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, vec2,
+    Align2, Color32, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, StrokeKind, Ui, Vec2,
+    WidgetInfo, vec2,
 };
 
 /// Icons are shapes, never glyphs: no font has to have them.
@@ -24,7 +25,9 @@ pub(crate) enum Icon {
 impl Icon {
     /// Paints the icon into a square of 12 points round `at`.
     pub(crate) fn paint(self, painter: &Painter, at: Pos2, color: Color32) {
-        let bar = |x: f32| painter.rect_filled(Rect::from_center_size(at + vec2(x, 0.0), vec2(2.0, 11.0)), 0, color);
+        let bar = |x: f32| {
+            painter.rect_filled(Rect::from_center_size(at + vec2(x, 0.0), vec2(2.0, 11.0)), 0, color)
+        };
         let triangle = |x: f32, width: f32| {
             let points = vec![at + vec2(x, -5.5), at + vec2(x + width, 0.0), at + vec2(x, 5.5)];
             painter.add(Shape::convex_polygon(points, color, Stroke::NONE));
@@ -94,7 +97,14 @@ pub(crate) fn focus_ring(ui: &Ui, response: &Response, rect: Rect, look: &Look) 
 }
 
 /// A button with an icon; `name` is its accessible name and its tooltip.
-pub(crate) fn icon_button(ui: &mut Ui, face: &Face<'_>, icon: Icon, size: Vec2, name: &str, state: State) -> Response {
+pub(crate) fn icon_button(
+    ui: &mut Ui,
+    face: &Face<'_>,
+    icon: Icon,
+    size: Vec2,
+    name: &str,
+    state: State,
+) -> Response {
     let sense = if state == State::Disabled { Sense::hover() } else { Sense::click() };
     let (rect, response) = ui.allocate_exact_size(size, sense);
     icon_button_at(ui, face, icon, rect, &response, state, true);
@@ -149,7 +159,14 @@ pub(crate) fn row(
 }
 
 /// Text in one line, cut with an ellipsis where it does not fit.
-pub(crate) fn text_in(painter: &Painter, rect: Rect, align: Align2, text: &str, font: egui::FontId, color: Color32) {
+pub(crate) fn text_in(
+    painter: &Painter,
+    rect: Rect,
+    align: Align2,
+    text: &str,
+    font: egui::FontId,
+    color: Color32,
+) {
     let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), font, color);
     job.wrap = egui::text::TextWrapping::truncate_at_width(rect.width());
     let galley = painter.layout_job(job);
@@ -167,4 +184,11 @@ pub(crate) fn heading(ui: &mut Ui, face: &Face<'_>, text: &str) {
 pub(crate) fn rule(ui: &Ui, rect: Rect, look: &Look) {
     let y = ui.painter().round_to_pixel_center(rect.bottom());
     ui.painter().hline(rect.x_range(), y, Stroke::new(1.0, look.line));
+}
+
+/// The sign of a combo: a chevron down.
+pub(crate) fn down(ui: &Ui, rect: Rect, visuals: &egui::style::WidgetVisuals, _open: bool) {
+    let at = rect.center();
+    let points = vec![at + vec2(-4.0, -2.0), at + vec2(0.0, 2.0), at + vec2(4.0, -2.0)];
+    ui.painter().add(Shape::line(points, Stroke::new(1.5, visuals.fg_stroke.color)));
 }

@@ -9,6 +9,7 @@ word-is-a-folder = it is a folder
 word-is-no-folder = one of its folders is a file
 word-read-only = the disk is read-only
 word-disk-full = the disk is full
+word-too-large = it is too large
 
 error-not-utf8 = Not UTF-8: byte { $byte } starts no character.
 error-empty-request = There is no request: write one JSON object, such as {"{"}"op":"clip_line", …{"}"}.
@@ -32,3 +33,17 @@ error-unknown-name = { $field } cannot be { $name }. Known: { $known }.
 error-unsupported = { $field } { $name } is not there yet; it comes in a later version.
 error-overflow = In { $arithmetic } arithmetic the result is no finite number. Use exact.
 error-request-without-steps = A { $op } request has no steps to go through.
+
+error-cannot-read = Cannot read { $file }: { $why }.
+error-file-not-found = Cannot read { $file }: { $why }. Check the name; "rasterscope list" shows what is built in.
+error-cannot-write = Cannot write { $file }: { $why }. Choose another place.
+error-in-file = { $file }: { $problem }
+error-request-is-no-scene = { $file } holds a compute request, not a scene. Run "rasterscope compute { $file }".
+error-no-input-for-lab = { $file } has no input for { $lab }. Give a scene that opens this lab, or a compute request for it.
+error-unknown-lab = There is no lab { $lab }. Known: { $known }.
+error-figure-ending = { $file } must end in .svg or .png.
+error-figure-size = The size must be WIDTHxHEIGHT, each from 16 to 8192.
+
+cli-labs = Labs (trace ALGORITHM FILE, figure LAB FILE)
+cli-algorithms = Algorithms
+cli-presets = Presets (as FILE)

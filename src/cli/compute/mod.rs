@@ -17,6 +17,7 @@
 //! | `bad-size` | asks for a side outside 1..=16384 or for more than 2^28 pixels |
 //! | `unknown-op`, `unknown-algorithm`, `unknown-arithmetic`, ... | has a name that nobody knows |
 //! | `unsupported` | has a name of the interface that this version does not know yet |
+//! | `bad-scene`, `missing-model` | has a scene that is wrong, or that names a model that cannot be read |
 //! | `zero-area`, `outside-triangle`, `zero-w`, `infinite` | asks for an attribute where there is none |
 //! | `no-lab` | cannot be stepped (`trace` and `figure` only) |
 //! | `overflow` | has no finite answer in the chosen arithmetic |
@@ -28,6 +29,7 @@ mod depth;
 mod interpolate;
 mod lines;
 mod refusal;
+mod render;
 mod request;
 
 pub use lines::MOST_BYTES;
@@ -36,9 +38,12 @@ pub(crate) use request::Request;
 
 use rasterscope_core::scene::{Lab, LabInput, Scene};
 use serde::Serialize;
-use std::io::{self, BufRead, Write};
+use std::{
+    io::{self, BufRead, Cursor, Write},
+    path::Path,
+};
 
-use crate::{Failure, failure::written};
+use crate::{Failure, failure::written, files};
 use refusal::ErrorObject;
 
 /// The operations.
@@ -49,11 +54,12 @@ enum Op {
     Coverage,
     Depth,
     Interpolate,
+    Render,
 }
 
 impl Op {
-    const ALL: [Self; 5] =
-        [Self::ClipLine, Self::ClipTriangle, Self::Coverage, Self::Depth, Self::Interpolate];
+    const ALL: [Self; 6] =
+        [Self::ClipLine, Self::ClipTriangle, Self::Coverage, Self::Depth, Self::Interpolate, Self::Render];
 
     /// Operations of the interface that come in a later version.
     const LATER: [&'static str; 1] = ["clip_polygon"];
@@ -65,6 +71,7 @@ impl Op {
             Self::Coverage => "coverage",
             Self::Depth => "depth",
             Self::Interpolate => "interpolate",
+            Self::Render => "render",
         }
     }
 
@@ -97,6 +104,11 @@ pub fn compute(input: &mut dyn BufRead, lines: bool, output: &mut dyn Write) -> 
     }
 }
 
+/// Answers the one request of a file.
+pub fn compute_file(path: &Path, output: &mut dyn Write) -> Result<(), Failure> {
+    compute(&mut Cursor::new(files::read(path)?), false, output)
+}
+
 /// Writes the answer to one request, as one line.
 pub fn answer(request: &[u8], output: &mut dyn Write) -> io::Result<()> {
     let request = Request::parse(request);
@@ -115,6 +127,7 @@ enum Answer {
     Coverage(coverage::Answer),
     Depth(depth::Answer),
     Interpolate(interpolate::Answer),
+    Render(render::Answer),
 }
 
 fn dispatch(request: &Request) -> Result<Answer, Refusal> {
@@ -124,6 +137,7 @@ fn dispatch(request: &Request) -> Result<Answer, Refusal> {
         Op::Coverage => coverage::answer(request).map(Answer::Coverage),
         Op::Depth => depth::answer(request).map(Answer::Depth),
         Op::Interpolate => interpolate::answer(request).map(Answer::Interpolate),
+        Op::Render => render::answer(request).map(Answer::Render),
     }
 }
 
@@ -133,6 +147,7 @@ pub(crate) fn lab(request: &Request) -> Result<Scene, Refusal> {
         Op::ClipLine => clip_line::lab(request),
         Op::Coverage => coverage::lab(request),
         Op::Depth => depth::lab(request),
+        Op::Render => render::scene(request),
         op @ (Op::ClipTriangle | Op::Interpolate) => Err(Refusal::no_lab(op.name())),
     }
 }

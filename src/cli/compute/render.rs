@@ -8,10 +8,7 @@ use rasterscope_core::{
 };
 use serde::{Serialize, Serializer};
 
-use super::{
-    Refusal, Request,
-    refusal::text,
-};
+use super::{Refusal, Request, refusal::text};
 use crate::files::load_model;
 
 /// The image. `depth_codes` is there when depths are stored as codes.
@@ -23,7 +20,7 @@ pub(super) struct Answer {
     #[serde(skip_serializing_if = "Option::is_none")]
     depth_codes: Option<Base64>,
     stencil: Base64,
-    stats: Stats,
+    stats: Box<Stats>,
 }
 
 /// Bytes that go over the wire as base64.
@@ -42,15 +39,15 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
     if arithmetic != rasterscope_core::math::Arithmetic::Exact {
         return Err(Refusal::unsupported("arithmetic", arithmetic.name()));
     }
-    let Frame { size, color, depth, depth_codes, stencil, stats } = pipeline::render(&scene(request)?, &skips);
+    let Frame { size, color, depth, depth_codes, stencil, stats } =
+        pipeline::render(&scene(request)?, &skips);
     Ok(Answer {
         size,
         color: Base64(color),
         depth: Base64(depth.into_iter().flat_map(f32::to_le_bytes).collect()),
-        depth_codes: depth_codes
-            .map(|codes| Base64(codes.into_iter().flat_map(u32::to_le_bytes).collect())),
+        depth_codes: depth_codes.map(|codes| Base64(codes.into_iter().flat_map(u32::to_le_bytes).collect())),
         stencil: Base64(stencil),
-        stats,
+        stats: Box::new(stats),
     })
 }
 

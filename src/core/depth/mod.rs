@@ -89,6 +89,19 @@ impl CompareFunction {
         }
     }
 
+    /// The sign that holds where the test fails; empty for never and always.
+    pub fn opposite_sign(self) -> &'static str {
+        match self {
+            Self::Never | Self::Always => "",
+            Self::Less => "≥",
+            Self::Equal => "≠",
+            Self::LessEqual => ">",
+            Self::Greater => "≤",
+            Self::NotEqual => "=",
+            Self::GreaterEqual => "<",
+        }
+    }
+
     /// WebGPU's name.
     pub fn name(self) -> &'static str {
         match self {

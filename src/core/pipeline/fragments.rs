@@ -33,6 +33,17 @@ impl FragmentState {
     pub(super) fn new(draw: &Draw) -> Self {
         Self { depth: draw.depth, stencil: draw.stencil, blend: draw.blend, texture: draw.texture }
     }
+
+    /// The stencil test, then the depth test `depth`, if the draw has one; the stencil value follows.
+    #[inline]
+    pub(super) fn test(&self, stencil: &mut u8, depth: impl FnOnce() -> bool) -> StencilOutcome {
+        let depth =
+            || if !self.depth.test || depth() { StencilOutcome::Pass } else { StencilOutcome::DepthFail };
+        let Some(state) = &self.stencil else { return depth() };
+        let outcome = if state.passes(*stencil) { depth() } else { StencilOutcome::Fail };
+        *stencil = state.after(outcome, *stencil);
+        outcome
+    }
 }
 
 /// What all fragments share.
@@ -159,21 +170,17 @@ impl Target {
 
     /// Draws all pieces of a draw, in order.
     pub(super) fn draw(&mut self, draw: &DrawOutputs, state: &FragmentState, frame: &mut Frame) {
-        let (screen, clipped) = (draw.screen(), draw.clipped());
-        self.counts.pieces += clipped.pieces.len() as u64;
-        for piece in &clipped.pieces {
+        let (screen, pieces) = (draw.screen(), &draw.clipped().pieces);
+        self.counts.pieces += pieces.len() as u64;
+        for piece in pieces {
             let corners = piece.corners.map(|i| screen[i as usize]);
             if piece.carried {
                 self.carry(corners.map(|[x, y, ..]| [x, y]));
                 continue;
             }
-            let shade = draw.shade().get(piece.triangle as usize).copied().unwrap_or(1.0);
-            let vertices = corners.map(|[x, y, _, r]| [x, y, r]);
-            let tally = &mut self.counts.tally;
-            let Some(shader) = Shader::new(vertices, clipped, piece, state.texture, shade, tally) else {
-                continue;
-            };
-            self.triangle(corners, &shader, state, frame);
+            if let Some(shader) = Shader::new(draw, piece, state.texture, &mut self.counts.tally) {
+                self.triangle(corners, &shader, state, frame);
+            }
         }
     }
 
@@ -235,7 +242,7 @@ impl Target {
         }
     }
 
-    /// The stencil test, then the depth test, with what both store.
+    /// The tests of one fragment, with what they store.
     #[inline]
     fn passes(
         &mut self,
@@ -244,38 +251,24 @@ impl Target {
         state: &FragmentState,
         frame: &mut Frame,
     ) -> bool {
+        let Self { state: image, depth, counts, .. } = self;
         let index = frame.index(pixel);
-        if let Some(stencil) = &state.stencil {
-            let stored = &mut frame.stencil[index];
-            if !stencil.passes(*stored) {
-                *stored = stencil.after(StencilOutcome::Fail, *stored);
-                self.counts.stencil_failed += 1;
-                return false;
-            }
+        let tested = state.test(&mut frame.stencil[index], || {
+            let code = plane.code(pixel, image.format, &mut counts.tally);
+            depth.test(state.depth, pixel, code)
+        });
+        match tested {
+            StencilOutcome::Fail => counts.stencil_failed += 1,
+            StencilOutcome::DepthFail => counts.depth_failed += 1,
+            StencilOutcome::Pass => return true,
         }
-        let mut passes = true;
-        if state.depth.test {
-            let code = plane.code(pixel, self.state.format, &mut self.counts.tally);
-            passes = self.depth.test(state.depth, pixel, code);
-        }
-        if let Some(stencil) = &state.stencil {
-            let outcome = if passes { StencilOutcome::Pass } else { StencilOutcome::DepthFail };
-            frame.stencil[index] = stencil.after(outcome, frame.stencil[index]);
-        }
-        self.counts.depth_failed += u64::from(!passes);
-        passes
+        false
     }
 
     #[inline]
     fn write(&mut self, pixel: [u32; 2], color: &Paint<'_>, state: &FragmentState, frame: &mut Frame) {
         let index = frame.index(pixel);
-        let new = match (color, &state.blend) {
-            (Paint::Codes(codes), _) => *codes,
-            (Paint::Exact(color), Some(blend)) => {
-                color.blended(blend, frame.pixel(pixel), &mut self.counts.tally)
-            }
-            (Paint::Exact(color), None) => color.codes(&mut self.counts.tally),
-        };
+        let new = color.over(frame.pixel(pixel), state, &mut self.counts.tally);
         frame.color[4 * index..4 * index + 4].copy_from_slice(&new);
         self.counts.written += 1;
         self.counts.redrawn += u64::from(std::mem::replace(&mut self.written[index], true));
@@ -325,18 +318,28 @@ impl Target {
 }
 
 /// The colour of a fragment: codes at once where nothing else can happen to it.
-enum Paint<'s> {
+pub(super) enum Paint<'s> {
     Codes([u8; 4]),
     Exact(Color<'s>),
 }
 
 impl<'s> Paint<'s> {
     #[inline]
-    fn new(shader: &'s Shader, state: &FragmentState, pixel: [u32; 2], tally: &mut Tally) -> Self {
+    pub(super) fn new(shader: &'s Shader, state: &FragmentState, pixel: [u32; 2], tally: &mut Tally) -> Self {
         match (state.blend, shader.constant()) {
             (None, Some(codes)) => Self::Codes(codes),
             (None, None) => Self::Codes(shader.at(pixel, tally).codes(tally)),
             (Some(_), _) => Self::Exact(shader.at(pixel, tally)),
+        }
+    }
+
+    /// The codes that are stored after it.
+    #[inline]
+    pub(super) fn over(&self, stored: [u8; 4], state: &FragmentState, tally: &mut Tally) -> [u8; 4] {
+        match (self, &state.blend) {
+            (Self::Codes(codes), _) => *codes,
+            (Self::Exact(color), Some(blend)) => color.blended(blend, stored, tally),
+            (Self::Exact(color), None) => color.codes(tally),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The colour of a fragment, exact until it is written.
 
-use super::stages::{Clipped, Piece};
+use super::{DrawOutputs, Piece};
 use crate::{
     blend::{BlendState, ExactColor, blend},
     interpolate::{Interpolator, Weights, unorm},
@@ -33,17 +33,18 @@ pub(super) struct Color<'s> {
 }
 
 impl Shader {
-    /// `None` if the piece has no area on the screen. `vertices` are (x, y, 1/w).
+    /// `None` if the piece has no area on the screen.
     pub(super) fn new(
-        vertices: [[f32; 3]; 3],
-        clipped: &Clipped,
+        draw: &DrawOutputs,
         piece: &Piece,
         texture: Option<Texture>,
-        shade: f32,
         tally: &mut Tally,
     ) -> Option<Self> {
-        let interpolator = Interpolator::new(vertices, tally)?;
         let corners = piece.corners.map(|i| i as usize);
+        let vertices = corners.map(|i| draw.screen()[i]).map(|[x, y, _, r]| [x, y, r]);
+        let interpolator = Interpolator::new(vertices, tally)?;
+        let shade = draw.shade().get(piece.triangle as usize).copied().unwrap_or(1.0);
+        let clipped = draw.clipped();
         let channels = [0, 1, 2, 3].map(|channel| corners.map(|i| clipped.colors[i][channel]));
         let has_uvs = !clipped.uvs.is_empty();
         let texture = texture
@@ -53,16 +54,12 @@ impl Shader {
         let is_constant = channels.iter().all(|[a, b, c]| a == b && b == c);
         if is_constant && shader.texture.is_none() {
             let [r, g, b, a] = channels.map(|channel| channel[0]);
-            let code = |value: f32, factor: f32| {
+            let mut shaded = |value: f32| {
                 // A product of two f32 is exact in f64.
-                let value = f64::from(value) * f64::from(factor);
+                let value = f64::from(value) * f64::from(shade);
                 rounded_code(Approx::exact(value), 255, || (Dyadic::from(value), Dyadic::one()), tally) as u8
             };
-            let [r, g, b] = [r, g, b].map({
-                let mut code = code;
-                move |value| code(value, shade)
-            });
-            shader.constant = Some([r, g, b, unorm(a, 255) as u8]);
+            shader.constant = Some([shaded(r), shaded(g), shaded(b), unorm(a, 255) as u8]);
         }
         Some(shader)
     }

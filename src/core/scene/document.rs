@@ -283,14 +283,14 @@ pub enum LabInput {
     },
     /// One triangle, row by row.
     Scanline {
-        /// In pixels, y down; `None` takes a triangle of the scene.
+        /// In pixels, y growing as the scene says; `None` takes a triangle of the scene.
         vertices: Option<[[f32; 2]; 3]>,
         /// Which of the pipeline's screen triangles, when there are no vertices.
         triangle: usize,
     },
     /// Triangles, fragment by fragment.
     ZBuffer {
-        /// In pixels, y down, with depth; `None` takes the scene's.
+        /// In pixels with depth, y growing as the scene says; `None` takes the scene's.
         triangles: Option<Vec<[[f32; 3]; 3]>>,
     },
     /// One vertex through all the spaces.

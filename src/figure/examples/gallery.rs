@@ -1,11 +1,17 @@
-//! Draws two lab pictures by hand in every theme, to be looked at:
+//! Draws hand-made marks in every theme and the labs of all presets, to be looked at:
 //! `cargo run -p rasterscope-figure --example gallery -- FOLDER`.
 
-use std::{fs, path::PathBuf};
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
 
 use rasterscope_core::{
     explain::{Grid, Label, Mark, Role, View},
+    labs,
     message::Value,
+    replay::Budget,
+    scene::{self, PRESETS, Scene},
 };
 use rasterscope_figure::{
     layout::{self, Placement},
@@ -29,6 +35,25 @@ fn main() -> std::io::Result<()> {
             let path = folder.join(format!("{name}-{}", theme.name()));
             fs::write(path.with_extension("png"), png::png(&figure, 1.0))?;
             fs::write(path.with_extension("svg"), svg::svg(&figure))?;
+        }
+    }
+    presets(&folder, &words)
+}
+
+/// The middle and the end of the run of every preset that names a lab.
+fn presets(folder: &Path, words: &Words) -> std::io::Result<()> {
+    let mut load = |file: &str| scene::model(file).map(<[u8]>::to_vec).ok_or_else(|| file.to_owned());
+    for preset in PRESETS {
+        let scene = Scene::from_json(preset.json.as_bytes()).and_then(|scene| scene.resolve(&mut load));
+        let run = scene.map(|scene| labs::play(&scene, Budget::default()));
+        let Ok(Ok(mut run)) = run else { continue };
+        for (part, theme) in [(2, ThemeName::Dark), (1, ThemeName::Light), (3, ThemeName::Projector)] {
+            run.seek(run.len() / part);
+            let view = run.view();
+            let placement = Placement::fit(&view, SIZE, 12.0);
+            let figure = layout::draw(&run.marks(), &view, &placement, SIZE, theme.theme(), words);
+            let name = format!("{}-{}-{}.png", run.name(), preset.name, theme.name());
+            fs::write(folder.join(name), png::png(&figure, 1.0))?;
         }
     }
     Ok(())
@@ -90,6 +115,7 @@ fn scan_conversion() -> (View, Vec<Mark>) {
     for (y, first, end) in [(4, 4, 9), (5, 3, 10), (6, 3, 8), (7, 3, 5)] {
         marks.extend((first..end).map(|x| pixel([x, y], Role::Candidate, None)));
     }
+    marks.push(Mark::Guide { axis: 1, at: 4.5, role: Role::Active, label: None });
     marks.push(Mark::Span { y: 4, ends: [3.5, 9.125], role: Role::Active });
     for (ends, slope) in [([v0, v1], 1.25), ([v0, v2], -0.25), ([v1, v2], -3.25)] {
         let label = Some(Label::new("dx/dy", slope));
@@ -100,7 +126,7 @@ fn scan_conversion() -> (View, Vec<Mark>) {
     }
     for (x, name) in [(3.5, "x left"), (9.125, "x right")] {
         let label = Some(Label::new(name, x));
-        marks.push(Mark::Text { at: [x, 4.5], label: label.unwrap(), role: Role::Active, big: false });
+        marks.push(Mark::Point { at: [x, 4.5], role: Role::Active, label });
     }
     (View { min: [1.0, 0.0], max: [12.0, 9.0], y_up: false, grid: Grid::Pixels }, marks)
 }
@@ -116,7 +142,7 @@ fn depth() -> (View, Vec<Mark>) {
             let (role, object, value) = match (x, y) {
                 (4, 4) => (Role::Active, Some(1), value),
                 (6.., 1..3) | (4..7, 3) => (Role::Accepted, Some(1), value),
-                (3, 3) | (2..4, 4) => (Role::Rejected, Some(0), value),
+                (3, 3) | (3, 4) => (Role::Rejected, Some(0), value),
                 (1..6, 1..3) | (1..3, 3..5) => (Role::Neutral, Some(0), value),
                 _ => (Role::Neutral, None, 1.0),
             };

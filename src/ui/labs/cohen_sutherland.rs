@@ -34,7 +34,8 @@ impl Lab for CohenSutherland {
     fn controls(&self, ui: &mut Ui, face: &Face<'_>, document: &mut Document, view: &mut ViewState) {
         let LabInput::CohenSutherland { window, segment, arithmetic } = document.input_mut() else { return };
         heading(ui, face, &face.say("ui-conventions"));
-        let all = [Arithmetic::Exact, Arithmetic::F64, Arithmetic::F32].map(|each| (each, choices::arithmetic(face, each)));
+        let all = [Arithmetic::Exact, Arithmetic::F64, Arithmetic::F32]
+            .map(|each| (each, choices::arithmetic(face, each)));
         choices::choose(ui, face, "ui-arithmetic", arithmetic, &all);
         choices::snapping(ui, face, view);
         heading(ui, face, &face.say("ui-ends-and-window"));

@@ -4,6 +4,10 @@
 //! inspector and painting are the shell's, the same for all.
 
 mod cohen_sutherland;
+mod pipeline;
+mod scanline;
+mod transform;
+mod z_buffer;
 
 use crate::{
     document::{Document, ViewState},
@@ -52,5 +56,11 @@ pub(crate) enum Kind {
 
 /// All labs, in pipeline order.
 pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
-    vec![Box::new(cohen_sutherland::CohenSutherland)]
+    vec![
+        Box::new(pipeline::Pipeline),
+        Box::new(transform::Transform),
+        Box::new(cohen_sutherland::CohenSutherland),
+        Box::new(scanline::Scanline),
+        Box::new(z_buffer::ZBuffer),
+    ]
 }

@@ -1,7 +1,7 @@
 //! The canvas: the drawing of the step, handles to drag, zoom, pan, and the readout.
 
 use crate::{
-    document::{Document, ViewState},
+    document::{Document, Scenery, Snap, Tab, ViewState},
     face::Face,
     labs::{Handle, Kind, Lab},
     paint::{self, Textures},
@@ -9,17 +9,11 @@ use crate::{
     widgets::text_in,
 };
 use egui::{
-    Align2, CursorIcon, Id, Key, Modifiers, Pos2, Rect, Response, Role as Part, Sense, Stroke, StrokeKind, Ui, Vec2,
-    WidgetInfo, pos2, vec2,
+    Align2, CursorIcon, Id, Key, Modifiers, PointerButton, Pos2, Rect, Response, Role as Part, Sense, Stroke,
+    StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use rasterscope_core::explain::{Grid, Mark, View};
-use rasterscope_figure::{
-    figure::Figure,
-    layout,
-    placement::Placement,
-    theme::ThemeName,
-    words::Words,
-};
+use rasterscope_figure::{figure::Figure, layout, placement::Placement, theme::ThemeName, words::Words};
 
 /// A handle is caught within this distance.
 const CATCH: f32 = 14.0;
@@ -33,8 +27,17 @@ const INSET: f32 = 12.0;
 pub(crate) struct Drawing<'a> {
     pub(crate) marks: &'a [Mark],
     pub(crate) view: &'a View,
-    /// Moves whenever the marks or the view may have changed.
-    pub(crate) rev: u64,
+    /// Differs whenever the marks or the view may have changed: who made them, and which.
+    pub(crate) rev: (Maker, u64),
+}
+
+/// Who made a drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Maker {
+    /// The run of a lab.
+    Run,
+    /// The overview of the whole scene.
+    Overview,
 }
 
 /// What the canvas remembers from frame to frame.
@@ -45,7 +48,7 @@ pub(crate) struct Canvas {
     fitted: Option<(View, Vec2)>,
     /// Whether the user has zoomed or moved the drawing.
     moved: bool,
-    figure: Option<(Key_, Figure)>,
+    figure: Option<(FigureKey, Figure)>,
     handles: Vec<Id>,
     dragging: bool,
     /// How often a figure was laid out: tests assert on it.
@@ -53,7 +56,7 @@ pub(crate) struct Canvas {
 }
 
 /// What a figure was made of.
-type Key_ = (u64, Placement, Vec2, ThemeName);
+type FigureKey = ((Maker, u64), Placement, Vec2, ThemeName);
 
 impl Canvas {
     /// Fits the drawing into the canvas at the next frame.
@@ -84,18 +87,26 @@ impl Canvas {
         view: &mut ViewState,
     ) {
         let rect = ui.max_rect();
-        let handles = lab.handles(document);
+        // A camera of its own looks at the scene from outside: there is no plane to drag in.
+        let space = drawing.rev.0 == Maker::Overview && view.scenery == Scenery::Space;
+        let handles = if space { Vec::new() } else { lab.handles(document) };
         self.place(drawing.view, rect.size(), &handles);
         let background = ui.interact(rect, ui.scope_id().with("canvas"), Sense::click_and_drag());
         background.widget_info(|| WidgetInfo::labeled(Part::Canvas, true, face.say("ui-canvas")));
-        self.navigate(ui, rect, &background, drawing, view);
+        if space {
+            turn(ui, rect, &background, view);
+        } else {
+            self.navigate(ui, rect, &background, drawing, view);
+        }
         let Some(placement) = self.placement else { return };
         self.handles.clear();
         let before = document.clone();
         let shown: Vec<(Response, Handle)> = handles
             .into_iter()
             .enumerate()
-            .map(|(i, handle)| (self.handle(ui, rect, placement, i, &handle, drawing, lab, document, view), handle))
+            .map(|(i, handle)| {
+                (self.handle(ui, rect, placement, i, &handle, drawing, lab, document, view), handle)
+            })
             .collect();
         self.dragging = shown.iter().any(|(response, _)| response.dragged());
         if *document != before {
@@ -108,14 +119,15 @@ impl Canvas {
             let at = place(rect, placement, handle.at);
             paint_handle(ui, face, response, at, handle.kind);
         }
-        readout(ui, face, rect, placement, &background, drawing, view);
+        readout(ui, face, rect, placement, &background, drawing, space);
     }
 
     fn place(&mut self, view: &View, size: Vec2, handles: &[Handle]) {
         let stale = match (&self.fitted, self.placement) {
             (Some((fitted, old)), Some(placement)) if !self.moved => {
                 let canvas = Rect::from_min_size(Pos2::ZERO, size).shrink(BORDER);
-                let out = handles.iter().any(|handle| !canvas.contains(Pos2::from(placement.to_points(handle.at))));
+                let out =
+                    handles.iter().any(|handle| !canvas.contains(Pos2::from(placement.to_points(handle.at))));
                 let span = |view: &View| (view.max[0] - view.min[0]).max(view.max[1] - view.min[1]);
                 let much_smaller = span(view) < 0.5 * span(fitted);
                 *old != size
@@ -134,7 +146,14 @@ impl Canvas {
     }
 
     /// Wheel zooms at the pointer, dragging the ground moves the drawing, a click chooses a pixel.
-    fn navigate(&mut self, ui: &Ui, rect: Rect, ground: &Response, drawing: Drawing<'_>, view: &mut ViewState) {
+    fn navigate(
+        &mut self,
+        ui: &Ui,
+        rect: Rect,
+        ground: &Response,
+        drawing: Drawing<'_>,
+        view: &mut ViewState,
+    ) {
         let Some(placement) = &mut self.placement else { return };
         if ground.dragged() {
             let by = ground.drag_delta();
@@ -150,9 +169,13 @@ impl Canvas {
                 self.moved = true;
             }
         }
-        if let Some(at) = ground.interact_pointer_pos().filter(|_| ground.clicked() && drawing.view.grid == Grid::Pixels)
+        if let Some(at) =
+            ground.interact_pointer_pos().filter(|_| ground.clicked() && drawing.view.grid == Grid::Pixels)
         {
             view.pixel = pixel_at(*placement, rect, at);
+            if drawing.rev.0 == Maker::Overview {
+                view.tab = Tab::Pixel;
+            }
         }
     }
 
@@ -176,7 +199,7 @@ impl Canvas {
         response.widget_info(|| WidgetInfo::labeled(Part::Slider, true, &handle.name));
         self.handles.push(id);
         let (snap, shift, alt) = ui.input(|input| (view.snap, input.modifiers.shift, input.modifiers.alt));
-        let snap = if alt { crate::document::Snap::Off } else { snap };
+        let snap = if alt { Snap::Off } else { snap };
         if response.drag_started() || response.clicked() {
             response.request_focus();
         }
@@ -195,7 +218,8 @@ impl Canvas {
             let by = arrows(ui, drawing.view.y_up);
             if by != Vec2::ZERO {
                 let step = if shift { snap.step() / 10.0 } else { snap.step() };
-                let to = [handle.at[0] + by.x * step, handle.at[1] + by.y * step].map(|c| (c * 4096.0).round() / 4096.0);
+                let to = [handle.at[0] + by.x * step, handle.at[1] + by.y * step]
+                    .map(|c| (c * 4096.0).round() / 4096.0);
                 lab.drag(document, index, only(handle.kind, handle.at, to));
             }
         }
@@ -218,8 +242,36 @@ impl Canvas {
     }
 }
 
+/// Dragging turns the camera outside, with Shift or another button it moves; the wheel goes nearer.
+fn turn(ui: &Ui, rect: Rect, ground: &Response, view: &mut ViewState) {
+    let Some(orbit) = &mut view.orbit else { return };
+    let by = ground.drag_delta();
+    if ground.dragged() && by != Vec2::ZERO {
+        let half = rect.height().min(rect.width()) / 2.0;
+        let moves = ground.dragged_by(PointerButton::Secondary) || ui.input(|input| input.modifiers.shift);
+        *orbit = if moves {
+            orbit.moved([-by.x / half, by.y / half])
+        } else {
+            orbit.turned(-by.x * 0.008, by.y * 0.008)
+        };
+    }
+    if ground.hovered() {
+        let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+        let factor = (scroll / 240.0).exp2() * pinch;
+        if factor != 1.0 {
+            *orbit = orbit.nearer(factor);
+        }
+    }
+}
+
 /// A drawing as a figure.
-pub(crate) fn draw(drawing: Drawing<'_>, placement: Placement, size: Vec2, theme: ThemeName, words: &Words) -> Figure {
+pub(crate) fn draw(
+    drawing: Drawing<'_>,
+    placement: Placement,
+    size: Vec2,
+    theme: ThemeName,
+    words: &Words,
+) -> Figure {
     layout::draw(drawing.marks, drawing.view, &placement, [size.x, size.y], theme.theme(), words)
 }
 
@@ -270,7 +322,13 @@ fn paint_handle(ui: &Ui, face: &Face<'_>, response: &Response, at: Pos2, kind: K
         }
         _ => {
             let square = Rect::from_center_size(at, Vec2::splat(if busy { 11.0 } else { 10.0 }));
-            painter.rect(square, 0, fill, Stroke::new(if busy { 2.5 } else { 1.5 }, look.text), StrokeKind::Middle);
+            painter.rect(
+                square,
+                0,
+                fill,
+                Stroke::new(if busy { 2.5 } else { 1.5 }, look.text),
+                StrokeKind::Middle,
+            );
         }
     }
     if response.has_focus() {
@@ -286,29 +344,38 @@ fn readout(
     placement: Placement,
     ground: &Response,
     drawing: Drawing<'_>,
-    view: &ViewState,
+    space: bool,
 ) {
-    let Some(at) = ui.ctx().pointer_hover_pos().filter(|at| rect.contains(*at) && ground.contains_pointer()) else {
+    if space {
+        return foot(ui, face, rect, &face.say("ui-readout-space"));
+    }
+    let Some(at) = ui.ctx().pointer_hover_pos().filter(|at| rect.contains(*at) && ground.contains_pointer())
+    else {
         return;
     };
     let [x, y] = placement.to_scene((at - rect.min).into());
     let message = match (drawing.view.grid, pixel_at(placement, rect, at)) {
-        (Grid::Pixels, Some([x, y])) => face
-            .words
-            .message(&rasterscope_core::message::Message::new("ui-readout-pixel").with("x", x).with("y", y).with(
-                "centre",
-                [x as f32 + 0.5, y as f32 + 0.5],
-            )),
+        (Grid::Pixels, Some([x, y])) => face.words.message(
+            &rasterscope_core::message::Message::new("ui-readout-pixel")
+                .with("x", x)
+                .with("y", y)
+                .with("centre", [x as f32 + 0.5, y as f32 + 0.5]),
+        ),
         (Grid::Pixels, None) | (Grid::None, _) => return,
         (Grid::Units, _) => {
             let round = |c: f32| (c * 100.0).round() / 100.0;
             face.say_with("ui-readout-point", "at", [round(x), round(y)])
         }
     };
-    let _ = view;
+    foot(ui, face, rect, &message);
+}
+
+/// One line at the foot of the canvas.
+fn foot(ui: &Ui, face: &Face<'_>, rect: Rect, message: &str) {
     let font = face.look.font(Text::Listing);
-    let size = ui.painter().layout_no_wrap(message.clone(), font.clone(), face.look.dim).size();
-    let plate = Rect::from_min_size(pos2(rect.left() + 8.0, rect.bottom() - size.y - 12.0), size + vec2(12.0, 6.0));
+    let size = ui.painter().layout_no_wrap(message.to_owned(), font.clone(), face.look.dim).size();
+    let plate =
+        Rect::from_min_size(pos2(rect.left() + 8.0, rect.bottom() - size.y - 12.0), size + vec2(12.0, 6.0));
     ui.painter().rect_filled(plate, 3, face.look.canvas);
-    text_in(ui.painter(), plate.shrink2(vec2(6.0, 0.0)), Align2::LEFT_CENTER, &message, font, face.look.dim);
+    text_in(ui.painter(), plate.shrink2(vec2(6.0, 0.0)), Align2::LEFT_CENTER, message, font, face.look.dim);
 }

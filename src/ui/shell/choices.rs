@@ -4,13 +4,17 @@ use crate::{
     document::{Document, Snap, ViewState},
     face::{Command, Face},
     labs::Lab,
+    presets::PresetInfo,
     shell::Frame,
     theme::Text,
-    widgets::{heading, row, text_in},
+    widgets::{down, heading, row, text_in},
 };
 use egui::{Align2, ComboBox, DragValue, Rect, ScrollArea, Ui, pos2, vec2};
 use rasterscope_core::{math::Arithmetic, message::Value};
 use rasterscope_figure::numbers;
+
+/// More presets than this scroll, so that the conventions stay in sight.
+const MOST_PRESETS: usize = 8;
 
 /// Shows the choices of a lab and edits the document.
 pub(crate) fn show(
@@ -36,25 +40,34 @@ fn presets(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
         return;
     }
     heading(ui, face, &face.say("ui-presets"));
-    ui.spacing_mut().item_spacing.y = 0.0;
-    for preset in mine {
-        let chosen = frame.preset == Some(preset.name);
-        let response = row(ui, face, face.look.row_height(), &preset.title, chosen, |ui, rect| {
-            let out = rect.expand2(vec2(6.0, 0.0));
-            if chosen {
-                ui.painter().rect_filled(out, 0, face.look.raised);
-                ui.painter().rect_filled(Rect::from_min_size(out.min, vec2(4.0, out.height())), 0, face.look.text);
-            }
-            let font = face.look.font(if chosen { Text::LabelStrong } else { Text::Label });
-            let color = if chosen { face.look.text } else { face.look.dim };
-            let room = rect.with_min_x(rect.left() + 6.0);
-            text_in(ui.painter(), room, Align2::LEFT_CENTER, &preset.title, font, color);
-        });
-        if response.on_hover_text(&preset.note).clicked() {
-            face.ask(Command::Preset(preset.name));
+    let height = face.look.row_height();
+    let most = height * if mine.len() > MOST_PRESETS { MOST_PRESETS as f32 - 0.5 } else { mine.len() as f32 };
+    ScrollArea::vertical().id_salt("presets").max_height(most).auto_shrink([false, true]).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        for one in mine {
+            preset(ui, face, one, frame.preset == Some(one.name));
         }
+    });
+}
+
+fn preset(ui: &mut Ui, face: &Face<'_>, preset: &PresetInfo, chosen: bool) {
+    let response = row(ui, face, face.look.row_height(), &preset.title, chosen, |ui, rect| {
+        if chosen {
+            ui.painter().rect_filled(rect, 0, face.look.raised);
+            ui.painter().rect_filled(
+                Rect::from_min_size(rect.min, vec2(4.0, rect.height())),
+                0,
+                face.look.text,
+            );
+        }
+        let font = face.look.font(if chosen { Text::LabelStrong } else { Text::Label });
+        let color = if chosen { face.look.text } else { face.look.dim };
+        let room = rect.with_min_x(rect.left() + 12.0);
+        text_in(ui.painter(), room, Align2::LEFT_CENTER, &preset.title, font, color);
+    });
+    if response.on_hover_text(&preset.note).clicked() {
+        face.ask(Command::Preset(preset.name));
     }
-    ui.spacing_mut().item_spacing.y = 4.0;
 }
 
 /// A label and a combo: one convention.
@@ -72,6 +85,7 @@ pub(crate) fn choose<T: Copy + PartialEq>(
         let combo = ComboBox::from_id_salt(&label)
             .width(width)
             .truncate()
+            .icon(down)
             .selected_text(face.rich(selected, Text::Label))
             .show_ui(ui, |ui| {
                 for (each, name) in all {
@@ -96,6 +110,15 @@ pub(crate) fn labelled(ui: &mut Ui, face: &Face<'_>, label: &str, content: impl 
 /// A check box.
 pub(crate) fn check(ui: &mut Ui, face: &Face<'_>, label: &'static str, value: &mut bool) {
     ui.checkbox(value, face.rich(face.say(label), Text::Label));
+}
+
+/// An index that can be typed or dragged.
+pub(crate) fn index(ui: &mut Ui, face: &Face<'_>, label: &'static str, value: &mut usize) {
+    let label = face.say(label);
+    labelled(ui, face, &label, |ui, width| {
+        let drag = DragValue::new(value).speed(0.1).update_while_editing(false);
+        ui.add_sized(vec2(width, face.look.button_height()), drag).accessible_name(&label);
+    });
 }
 
 /// Where dragged points snap to.
@@ -131,6 +154,7 @@ pub(crate) fn number(ui: &mut Ui, face: &Face<'_>, width: f32, name: &str, value
     let before = *value;
     let drag = DragValue::new(value)
         .speed(0.05)
+        .update_while_editing(false)
         .range(-1e9..=1e9)
         .custom_formatter(|x, _| numbers::short(&Value::F64(x)))
         .custom_parser(|text| text.trim().replace('−', "-").replace(',', ".").parse().ok());

@@ -63,10 +63,9 @@ pub(crate) fn pressed(ctx: &Context, handles: &[Id]) -> Vec<Command> {
 pub(crate) fn keep_arrows(ctx: &Context) {
     let popup = Popup::is_any_open(ctx);
     ctx.memory_mut(|memory| {
-        if !popup
-            && let Some(id) = memory.focused()
-        {
-            let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
+        if !popup && let Some(id) = memory.focused() {
+            let filter =
+                EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
             memory.set_focus_lock_filter(id, filter);
         }
     });
@@ -93,7 +92,8 @@ pub(crate) fn overlay(ui: &Ui, face: &Face<'_>) {
                 ui.label(face.rich(face.say(name), Text::Label));
                 ui.end_row();
             }
-            for (keys, name) in [("Tab", "ui-key-tab"), ("← → ↑ ↓", "ui-key-arrows"), ("Alt", "ui-key-alt")] {
+            for (keys, name) in [("Tab", "ui-key-tab"), ("← → ↑ ↓", "ui-key-arrows"), ("Alt", "ui-key-alt")]
+            {
                 ui.label(face.rich(keys, Text::MonoStrong));
                 ui.label(face.rich(face.say(name), Text::Label));
                 ui.end_row();

@@ -56,7 +56,8 @@ fn menu(ui: &mut Ui, face: &Face<'_>, name: &'static str, content: impl FnOnce(&
 }
 
 fn item(ui: &mut Ui, face: &Face<'_>, name: &'static str, key: &str, enabled: bool, command: Command) {
-    let button = Button::new(face.say(name)).shortcut_text(RichText::new(key).font(face.look.font(Text::Small)));
+    let button =
+        Button::new(face.say(name)).shortcut_text(RichText::new(key).font(face.look.font(Text::Small)));
     if ui.add_enabled(enabled, button).clicked() {
         face.ask(command);
         ui.close();
@@ -156,6 +157,13 @@ fn title(ui: &Ui, face: &Face<'_>, frame: &Frame<'_>, room: Rect, bar: Rect) {
     painter.galley(pos2(x, y - strong.size().y / 2.0), strong, face.look.text);
     let rest = Rect::from_min_max(pos2(end + 10.0, bar.top()), pos2(room.right(), bar.bottom()));
     if rest.width() > 60.0 {
-        text_in(painter, rest, Align2::LEFT_CENTER, &frame.subtitle, face.look.font(Text::Body), face.look.dim);
+        text_in(
+            painter,
+            rest,
+            Align2::LEFT_CENTER,
+            &frame.subtitle,
+            face.look.font(Text::Body),
+            face.look.dim,
+        );
     }
 }

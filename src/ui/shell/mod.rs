@@ -2,6 +2,7 @@
 
 pub(crate) mod canvas;
 pub(crate) mod choices;
+pub(crate) mod header;
 pub(crate) mod inspector;
 pub(crate) mod keys;
 pub(crate) mod menu;
@@ -33,6 +34,8 @@ pub(crate) struct Frame<'a> {
     /// The preset that was opened, until something is edited.
     pub(crate) preset: Option<&'static str>,
     pub(crate) presets: &'a [PresetInfo],
+    /// One sentence why the scene matters; may be empty.
+    pub(crate) note: String,
     /// Why nothing runs.
     pub(crate) problem: Option<String>,
 }

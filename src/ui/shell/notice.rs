@@ -53,7 +53,9 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, notice: &mut Notice) {
                 let room = ui.available_width() - button;
                 ui.add_sized(
                     vec2(room, 20.0),
-                    egui::Label::new(face.rich(text.as_str(), Text::Body)).truncate().halign(egui::Align::Min),
+                    egui::Label::new(face.rich(text.as_str(), Text::Body))
+                        .truncate()
+                        .halign(egui::Align::Min),
                 )
                 .on_hover_text(text.as_str());
                 if ui.button(face.say("ui-dismiss")).clicked() {

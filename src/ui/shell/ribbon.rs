@@ -44,14 +44,24 @@ impl Shape {
 }
 
 /// Shows the ribbon.
-pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, textures: &mut Textures, shape: Shape, chips: &[Chip], current: Stage) {
+pub(crate) fn show(
+    ui: &mut Ui,
+    face: &Face<'_>,
+    textures: &mut Textures,
+    shape: Shape,
+    chips: &[Chip],
+    current: Stage,
+) {
     let rect = ui.max_rect();
     if shape == Shape::Path {
         return path(ui, face, chips, current);
     }
     let width = (rect.width() - 16.0) / chips.len().max(1) as f32;
     for (i, chip) in chips.iter().enumerate() {
-        let at = Rect::from_min_size(pos2(rect.left() + 8.0 + i as f32 * width, rect.top()), vec2(width, rect.height()));
+        let at = Rect::from_min_size(
+            pos2(rect.left() + 8.0 + i as f32 * width, rect.top()),
+            vec2(width, rect.height()),
+        );
         let response = press(ui, face, at, chip);
         let chosen = chip.stage == current;
         if chosen || response.hovered() {
@@ -62,7 +72,10 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, textures: &mut Textures, shape:
             chevron(ui.painter(), pos2(at.left(), y), face.look.stroke(1.0, face.look.dim));
         }
         match shape {
-            Shape::Tall => tall(ui, face, textures, at, chip, chosen),
+            Shape::Tall => {
+                let free = chips.get(i + 1).is_some_and(|next| next.skipped.is_none());
+                tall(ui, face, textures, at, chip, chosen, free);
+            }
             _ => flat(ui, face, at, chip, chosen),
         }
         if chosen {
@@ -77,7 +90,8 @@ fn press(ui: &Ui, face: &Face<'_>, at: Rect, chip: &Chip) -> Response {
     let response = ui.interact(at, ui.scope_id().with(chip.stage as usize), Sense::click());
     let name = face.say(chip.stage.word());
     let count = chip.count.clone().unwrap_or_else(|| face.say("ui-stage-off"));
-    response.widget_info(|| WidgetInfo::labeled(Part::Button, true, format!("{name}: {count} {}", chip.unit)));
+    response
+        .widget_info(|| WidgetInfo::labeled(Part::Button, true, format!("{name}: {count} {}", chip.unit)));
     if response.clicked() {
         face.ask(Command::Stage(chip.stage));
     }
@@ -96,11 +110,13 @@ fn colors(face: &Face<'_>, chip: &Chip, chosen: bool) -> [egui::Color32; 2] {
     }
 }
 
-fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip, chosen: bool) {
+fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip, chosen: bool, free: bool) {
     let (painter, look) = (ui.painter(), face.look);
     let [ink, dim] = colors(face, chip, chosen);
     let left = at.left() + 9.0;
-    let row = |y: f32, height: f32| Rect::from_min_max(pos2(left, at.top() + y), pos2(at.right() - 4.0, at.top() + y + height));
+    let row = |y: f32, height: f32| {
+        Rect::from_min_max(pos2(left, at.top() + y), pos2(at.right() - 4.0, at.top() + y + height))
+    };
     let font = look.font(if chosen { Text::LabelStrong } else { Text::Label });
     text_in(painter, row(3.0, 20.0), Align2::LEFT_CENTER, &face.say(chip.stage.word()), font, ink);
     let frame = Rect::from_min_size(pos2(left, at.top() + 26.0), vec2(36.0, 24.0));
@@ -109,7 +125,9 @@ fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip
         paint::figure(painter, textures, frame.min, figure);
     }
     painter.rect_stroke(frame, 0, Stroke::new(1.0, look.line), StrokeKind::Outside);
-    let beside = |y: f32| Rect::from_min_max(pos2(left + 42.0, at.top() + y), pos2(at.right() - 6.0, at.top() + y + 18.0));
+    let beside = |y: f32| {
+        Rect::from_min_max(pos2(left + 42.0, at.top() + y), pos2(at.right() - 6.0, at.top() + y + 18.0))
+    };
     let off = face.say("ui-stage-off");
     match &chip.count {
         Some(count) => {
@@ -121,17 +139,34 @@ fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip
     if let Some(skipped) = &chip.skipped {
         let line = row(58.0, 18.0);
         paint::marker(painter, line.left_center() + vec2(5.0, 0.0), Role::Rejected, 8.0, look);
-        let text = line.with_min_x(line.left() + 14.0).with_max_x(at.right() + 2.0);
-        text_in(painter, text, Align2::LEFT_CENTER, skipped, look.font(Text::Small), look.role(Role::Rejected));
+        // The next chip's place is used if it has nothing to say.
+        let end = if free { at.right() + 60.0 } else { at.right() + 4.0 };
+        let text = line.with_min_x(line.left() + 14.0).with_max_x(end);
+        text_in(
+            painter,
+            text,
+            Align2::LEFT_CENTER,
+            skipped,
+            look.font(Text::Small),
+            look.role(Role::Rejected),
+        );
     }
 }
 
 fn flat(ui: &Ui, face: &Face<'_>, at: Rect, chip: &Chip, chosen: bool) {
     let [ink, dim] = colors(face, chip, chosen);
-    let row = |y: f32| Rect::from_min_size(pos2(at.left() + 10.0, at.top() + y), vec2(at.width() - 14.0, 18.0));
+    let row =
+        |y: f32| Rect::from_min_size(pos2(at.left() + 10.0, at.top() + y), vec2(at.width() - 14.0, 18.0));
     let font = face.look.font(if chosen { Text::LabelStrong } else { Text::Label });
     text_in(ui.painter(), row(4.0), Align2::LEFT_CENTER, &face.say(chip.stage.word()), font, ink);
-    text_in(ui.painter(), row(21.0), Align2::LEFT_CENTER, &line(face, chip), face.look.font(Text::Small), dim);
+    text_in(
+        ui.painter(),
+        row(21.0),
+        Align2::LEFT_CENTER,
+        &line(face, chip),
+        face.look.font(Text::Small),
+        dim,
+    );
 }
 
 fn line(face: &Face<'_>, chip: &Chip) -> String {
@@ -156,17 +191,21 @@ fn path(ui: &mut Ui, face: &Face<'_>, chips: &[Chip], current: Stage) {
             (name, count)
         })
         .collect();
-    let width = |i: usize| galleys[i].0.size().x + galleys[i].1.size().x + 7.0 + if i == at { 40.0 } else { 26.0 };
+    let width =
+        |i: usize| galleys[i].0.size().x + galleys[i].1.size().x + 7.0 + if i == at { 40.0 } else { 26.0 };
     let room = rect.width() - 32.0 - 2.0 * 130.0;
     let (mut first, mut end, mut used) = (at, at + 1, width(at));
     loop {
-        let left = (first > 0).then(|| width(first - 1)).filter(|w| used + w <= room && at - first <= end - at);
+        let left =
+            (first > 0).then(|| width(first - 1)).filter(|w| used + w <= room && at - first <= end - at);
         let right = (end < chips.len()).then(|| width(end)).filter(|w| used + w <= room);
         match (left, right) {
             (Some(w), _) => (first, used) = (first - 1, used + w),
             (_, Some(w)) => (end, used) = (end + 1, used + w),
             _ => {
-                let Some(w) = (first > 0).then(|| width(first - 1)).filter(|w| used + w <= room) else { break };
+                let Some(w) = (first > 0).then(|| width(first - 1)).filter(|w| used + w <= room) else {
+                    break;
+                };
                 (first, used) = (first - 1, used + w);
             }
         }

@@ -6,10 +6,11 @@ use crate::{
     paint,
     run::Shown,
     theme::Text,
-    widgets::{Icon, State, icon_button_at},
+    widgets::{Icon, State, down, icon_button_at},
 };
 use egui::{
-    Align2, ComboBox, CursorIcon, Painter, Pos2, Rect, Role as Part, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
+    Align2, ComboBox, CursorIcon, Painter, Pos2, Rect, Role as Part, Sense, Stroke, Ui, WidgetInfo, pos2,
+    vec2,
 };
 use rasterscope_core::explain::{Level, Marker, Role};
 
@@ -67,7 +68,13 @@ fn transport(ui: &mut Ui, face: &Face<'_>, rect: Rect, shown: Option<&Shown>, pl
         };
         icon_button_at(ui, face, icon, button, &response, state, false);
         let (font, dim) = (face.look.font(Text::Small), face.look.dim);
-        ui.painter().text(pos2(button.center().x, rect.bottom() - 13.0), Align2::CENTER_CENTER, &key, font, dim);
+        ui.painter().text(
+            pos2(button.center().x, rect.bottom() - 13.0),
+            Align2::CENTER_CENTER,
+            &key,
+            font,
+            dim,
+        );
         if response.on_hover_text(format!("{name} ({key})")).clicked() {
             face.ask(command);
         }
@@ -143,10 +150,13 @@ fn plain(marker: Marker) -> bool {
 
 /// Names below the bar, as many as fit; the one of the current step first and strong.
 fn labels(painter: &Painter, face: &Face<'_>, bar: Rect, shown: &Shown, x_of: impl Fn(usize) -> f32) {
-    let named = || shown.markers.iter().filter_map(|(step, marker)| Some((*step, marker.role, marker.label?)));
+    let named =
+        || shown.markers.iter().filter_map(|(step, marker)| Some((*step, marker.role, marker.label?)));
     let current = named().filter(|(step, ..)| *step <= shown.cursor).map(|(step, ..)| step).next_back();
     let mut taken: Vec<Rect> = Vec::new();
-    let order = named().filter(|(step, ..)| Some(*step) == current).chain(named().filter(|(s, ..)| Some(*s) != current));
+    let order = named()
+        .filter(|(step, ..)| Some(*step) == current)
+        .chain(named().filter(|(s, ..)| Some(*s) != current));
     for (step, role, label) in order {
         let now = Some(step) == current;
         let font = face.look.font(if now { Text::LabelStrong } else { Text::Small });
@@ -172,7 +182,10 @@ fn settings(ui: &mut Ui, face: &Face<'_>, rect: Rect, shown: Option<&Shown>, vie
     let at = rect.left_top() + vec2(0.0, 19.0);
     let end = counter(ui.painter(), face, at, &cursor.to_string(), Text::Counter, look.text);
     counter(ui.painter(), face, pos2(end + 8.0, at.y), &format!("/ {len}"), Text::Mono, look.dim);
-    let row = Rect::from_min_max(pos2(rect.left(), rect.bottom() - 31.0), pos2(rect.right() - 12.0, rect.bottom() - 5.0));
+    let row = Rect::from_min_max(
+        pos2(rect.left(), rect.bottom() - 31.0),
+        pos2(rect.right() - 12.0, rect.bottom() - 5.0),
+    );
     ui.scope_builder(egui::UiBuilder::new().max_rect(row), |ui| {
         ui.horizontal(|ui| {
             ui.spacing_mut().interact_size.y = 24.0;
@@ -182,23 +195,29 @@ fn settings(ui: &mut Ui, face: &Face<'_>, rect: Rect, shown: Option<&Shown>, vie
                 Level::Detail => "ui-level-detail",
             };
             let text = face.rich(face.say(level(view.level)), Text::Label);
-            let combo = ComboBox::from_id_salt("level").width(94.0).selected_text(text).show_ui(ui, |ui| {
-                for each in Level::ALL {
-                    if ui.selectable_label(each == view.level, face.say(level(each))).clicked() {
-                        face.ask(Command::Level(each));
+            let combo = ComboBox::from_id_salt("level").width(94.0).icon(down).selected_text(text).show_ui(
+                ui,
+                |ui| {
+                    for each in Level::ALL {
+                        if ui.selectable_label(each == view.level, face.say(level(each))).clicked() {
+                            face.ask(Command::Level(each));
+                        }
                     }
-                }
-            });
+                },
+            );
             name(&combo.response, &face.say("ui-timeline-level"));
             let say = |speed: f32| face.say_with("ui-timeline-per-second", "speed", speed);
             let text = face.rich(say(view.speed), Text::Label);
-            let combo = ComboBox::from_id_salt("speed").width(78.0).selected_text(text).show_ui(ui, |ui| {
-                for speed in SPEEDS {
-                    if ui.selectable_label(speed == view.speed, say(speed)).clicked() {
-                        face.ask(Command::Speed(speed));
+            let combo = ComboBox::from_id_salt("speed").width(78.0).icon(down).selected_text(text).show_ui(
+                ui,
+                |ui| {
+                    for speed in SPEEDS {
+                        if ui.selectable_label(speed == view.speed, say(speed)).clicked() {
+                            face.ask(Command::Speed(speed));
+                        }
                     }
-                }
-            });
+                },
+            );
             name(&combo.response, &face.say("ui-timeline-speed"));
         });
     });
@@ -209,6 +228,13 @@ fn name(response: &egui::Response, name: &str) {
     response.clone().on_hover_text(name);
 }
 
-fn counter(painter: &Painter, face: &Face<'_>, at: Pos2, text: &str, style: Text, color: egui::Color32) -> f32 {
+fn counter(
+    painter: &Painter,
+    face: &Face<'_>,
+    at: Pos2,
+    text: &str,
+    style: Text,
+    color: egui::Color32,
+) -> f32 {
     painter.text(at, Align2::LEFT_CENTER, text, face.look.font(style), color).right()
 }

@@ -172,16 +172,16 @@ impl Polygon {
 
     /// Triangles that make up the polygon, as indices of corners, turning like it.
     ///
-    /// All share the corner with the smallest coordinates, wherever the polygon starts, so that the
+    /// All share the corner with the largest y (then x, z, w), wherever the polygon starts, so that the
     /// order of the vertices does not show in the triangles. Three corners are left in their order.
     pub fn fan(&self) -> impl Iterator<Item = [usize; 3]> {
         let len = self.len;
-        let smallest = (0..len).min_by(|&i, &j| {
+        let highest = (0..len).max_by(|&i, &j| {
             let [a, b] = [i, j].map(|i| self.corners[i].position);
-            let components = a.iter().zip(&b).map(|(a, b)| a.total_cmp(b));
-            components.reduce(std::cmp::Ordering::then).unwrap_or(std::cmp::Ordering::Equal)
+            let by = |axis: usize| a[axis].total_cmp(&b[axis]);
+            by(1).then(by(0)).then(by(2)).then(by(3))
         });
-        let apex = if len == 3 { 0 } else { smallest.unwrap_or(0) };
+        let apex = if len == 3 { 0 } else { highest.unwrap_or(0) };
         (2..len).map(move |i| [apex, (apex + i - 1) % len, (apex + i) % len])
     }
 }

@@ -32,7 +32,8 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown) {
         let number = if lit { look.text } else { look.dim };
         let at = pos2(rect.left() + 28.0, rect.center().y);
         ui.painter().text(at, Align2::RIGHT_CENTER, (i + 1).to_string(), font.clone(), number);
-        let room = Rect::from_min_max(pos2(rect.left() + 38.0, rect.top()), pos2(rect.right() - 6.0, rect.bottom()));
+        let room =
+            Rect::from_min_max(pos2(rect.left() + 38.0, rect.top()), pos2(rect.right() - 6.0, rect.bottom()));
         text_in(ui.painter(), room, Align2::LEFT_CENTER, line, font, look.text);
         focus_ring(ui, &response, rect, look);
         if response.on_hover_text(face.say("ui-listing-hint")).clicked() {

@@ -8,13 +8,13 @@ mod table;
 use crate::{
     document::{Tab, ViewState},
     face::Face,
+    overview::History,
     run::Shown,
     shell::Frame,
     theme::Text,
     widgets::{focus_ring, rule},
 };
 use egui::{Align2, Rect, Role as Part, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
-use rasterscope_core::explain::Grid;
 use rasterscope_figure::{
     tables::{self, Run as Piece, TextTable},
     words::Words,
@@ -31,7 +31,11 @@ pub(crate) struct Digest {
 
 impl Digest {
     /// Brings `kept` up to date with what is shown.
-    pub(crate) fn update<'a>(kept: &'a mut Option<Self>, shown: Option<&Shown>, words: &Words) -> Option<&'a Self> {
+    pub(crate) fn update<'a>(
+        kept: &'a mut Option<Self>,
+        shown: Option<&Shown>,
+        words: &Words,
+    ) -> Option<&'a Self> {
         let Some(shown) = shown else {
             *kept = None;
             return None;
@@ -48,6 +52,13 @@ impl Digest {
     }
 }
 
+/// What the inspector says of the whole scene, where the whole scene is open.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Whole<'a> {
+    pub(crate) history: Option<&'a History>,
+    pub(crate) stages: Option<&'a TextTable>,
+}
+
 /// Shows the inspector.
 pub(crate) fn show(
     ui: &mut Ui,
@@ -55,11 +66,12 @@ pub(crate) fn show(
     frame: &Frame<'_>,
     shown: Option<&Shown>,
     digest: Option<&Digest>,
+    whole: Whole<'_>,
     view: &mut ViewState,
 ) {
     let rect = ui.max_rect();
     let height = if face.look.projector() { 44.0 } else { 36.0 };
-    let pixels = shown.is_some_and(|shown| shown.view.grid == Grid::Pixels);
+    let pixels = whole.stages.is_some();
     if view.tab == Tab::Pixel && !pixels {
         view.tab = Tab::Step;
     }
@@ -73,13 +85,16 @@ pub(crate) fn show(
         ScrollArea::vertical().id_salt(view.tab as usize).auto_shrink(false).show(ui, |ui| {
             ui.set_width(ui.available_width());
             match (view.tab, shown, digest) {
-                (Tab::Pixel, ..) => pixel::show(ui, face, view),
-                (_, None, _) | (_, _, None) => empty(ui, face, frame),
+                (Tab::Pixel, ..) => pixel::show(ui, face, whole.history),
+                (_, None, _) | (_, _, None) => empty(ui, face, frame, whole.stages),
                 (Tab::Step, Some(shown), Some(digest)) => step::show(ui, face, shown, digest),
                 (Tab::Listing, Some(shown), _) => listing::show(ui, face, shown),
                 (Tab::Values, _, Some(digest)) => {
                     for (i, one) in digest.tables.iter().enumerate() {
                         table::show(ui, face, one, None, i == 0);
+                    }
+                    if let Some(stages) = whole.stages {
+                        table::show(ui, face, stages, None, false);
                     }
                 }
             }
@@ -94,7 +109,7 @@ fn tabs(ui: &mut Ui, face: &Face<'_>, rect: Rect, view: &mut ViewState, pixels: 
         (Tab::Values, "ui-tab-values"),
         (Tab::Pixel, "ui-tab-pixel"),
     ];
-    // Only drawings with pixels have a pixel to choose.
+    // Only the whole scene has a history of its pixels.
     let all = &all[..if pixels { 4 } else { 3 }];
     let width = rect.width() / all.len() as f32;
     for (i, &(tab, name)) in all.iter().enumerate() {
@@ -105,7 +120,8 @@ fn tabs(ui: &mut Ui, face: &Face<'_>, rect: Rect, view: &mut ViewState, pixels: 
         if response.hovered() && !chosen {
             ui.painter().rect_filled(at, 0, face.look.field);
         }
-        let (style, color) = if chosen { (Text::Strong, face.look.text) } else { (Text::Body, face.look.dim) };
+        let (style, color) =
+            if chosen { (Text::Strong, face.look.text) } else { (Text::Body, face.look.dim) };
         ui.painter().text(at.center(), Align2::CENTER_CENTER, name, face.look.font(style), color);
         if chosen {
             let foot = Rect::from_min_max(pos2(at.left(), at.bottom() - 3.0), at.max);
@@ -119,12 +135,22 @@ fn tabs(ui: &mut Ui, face: &Face<'_>, rect: Rect, view: &mut ViewState, pixels: 
 }
 
 /// What would stand here, and why it does not.
-fn empty(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
+fn empty(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, stages: Option<&TextTable>) {
     inset(ui, |ui| {
         ui.add_space(14.0);
-        let text = frame.problem.clone().unwrap_or_else(|| face.say("ui-inspector-empty"));
-        ui.label(face.dim(text, Text::Sentence));
+        // The whole scene says more than that there is nothing to step.
+        let note = Some(&frame.note).filter(|note| stages.is_some() && !note.is_empty());
+        match (note, &frame.problem) {
+            (Some(text), _) => ui.label(face.rich(text, Text::Sentence)),
+            (None, Some(text)) => ui.label(face.dim(text, Text::Sentence)),
+            (None, None) => ui.label(face.dim(face.say("ui-inspector-empty"), Text::Sentence)),
+        };
+        ui.add_space(12.0);
     });
+    if let Some(stages) = stages {
+        part_line(ui, face);
+        table::show(ui, face, stages, None, false);
+    }
 }
 
 /// Content 16 points from both edges; rows that are lit reach the edges and inset themselves.

@@ -15,7 +15,10 @@ const MOST_ROWS: usize = 9;
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown, digest: &Digest) {
     inset(ui, |ui| {
         ui.add_space(12.0);
-        ui.label(face.rich(&digest.sentence, Text::Sentence).line_height(Some(face.look.line_height(Text::Sentence))));
+        ui.label(
+            face.rich(&digest.sentence, Text::Sentence)
+                .line_height(Some(face.look.line_height(Text::Sentence))),
+        );
         for [general, numbers] in &digest.formulas {
             ui.add_space(6.0);
             formula(ui, face, general, true);
@@ -36,7 +39,8 @@ fn formula(ui: &mut Ui, face: &Face<'_>, pieces: &[Piece], general: bool) {
     let mut job = LayoutJob::default();
     job.wrap.max_width = ui.available_width();
     for piece in pieces {
-        let mut format = TextFormat::simple(look.font(Text::Mono), if general { look.dim } else { look.text });
+        let mut format =
+            TextFormat::simple(look.font(Text::Mono), if general { look.dim } else { look.text });
         format.line_height = Some(look.line_height(Text::Mono));
         if piece.strong {
             format.font_id = look.font(Text::MonoStrong);

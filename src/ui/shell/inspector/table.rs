@@ -69,9 +69,12 @@ fn font(face: &Face<'_>, text: &str, strong: bool) -> FontId {
 
 /// The right edge of each column, from the left edge of the table; the names come first.
 fn columns(ui: &Ui, face: &Face<'_>, table: &TextTable, rows: &[TextRow]) -> Vec<f32> {
-    let measure = |text: &str, font: FontId| ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x;
+    let measure = |text: &str, font: FontId| {
+        ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x
+    };
     let name = rows.iter().map(|row| {
-        measure(&row.name, font(face, &row.name, true)) + if row.role.is_some() || row.changed() { 18.0 } else { 0.0 }
+        measure(&row.name, font(face, &row.name, true))
+            + if row.role.is_some() || row.changed() { 18.0 } else { 0.0 }
     });
     let name = name.fold(0.0, f32::max);
     let widths: Vec<f32> = table
@@ -140,7 +143,8 @@ fn show_row(ui: &mut Ui, face: &Face<'_>, row: &TextRow, columns: &[f32]) {
     }
     let strong = row.active || changed;
     let at = pos2(rect.left() + INSET, rect.center().y);
-    let end = painter.text(at, Align2::LEFT_CENTER, &row.name, font(face, &row.name, strong), look.text).right();
+    let end =
+        painter.text(at, Align2::LEFT_CENTER, &row.name, font(face, &row.name, strong), look.text).right();
     let marker = row.role.or(changed.then_some(Role::Changed));
     if let Some(role) = marker {
         paint::marker(painter, pos2(end + 11.0, at.y), role, 9.0, look);
@@ -148,12 +152,8 @@ fn show_row(ui: &mut Ui, face: &Face<'_>, row: &TextRow, columns: &[f32]) {
     for (cell, right) in row.cells.iter().zip(columns) {
         show_cell(ui, face, cell, pos2(rect.left() + right, at.y), strong, row.active);
     }
-    let exact: Vec<String> = row
-        .cells
-        .iter()
-        .filter(|cell| cell.exact != cell.text)
-        .map(|cell| cell.exact.clone())
-        .collect();
+    let exact: Vec<String> =
+        row.cells.iter().filter(|cell| cell.exact != cell.text).map(|cell| cell.exact.clone()).collect();
     if !exact.is_empty() {
         response.on_hover_text(face.rich(exact.join("\n"), Text::Mono));
     }

@@ -1,0 +1,106 @@
+//! How long an edit takes to reach the image. Run with `cargo bench -p rasterscope-core --bench pipeline
+//! [-- MODEL.obj]`; without a model only the built-in rows are printed.
+//!
+//! The rows take turns, so that a busy moment of the machine hits them all. Each row checks its own
+//! answer, so that nothing fast and wrong is timed.
+#![expect(clippy::print_stdout, reason = "it prints a table")]
+
+use rasterscope_core::{
+    labs::Stage,
+    pipeline::{Frame, Pipeline, Skips, render},
+    raster::Algorithm,
+    scene::{Geometry, MODEL_SIZE, Mesh, Scene, preset, scene_from_obj},
+};
+use std::{
+    hint::black_box,
+    sync::Arc,
+    time::{Duration, Instant},
+};
+
+const ROUNDS: usize = 21;
+
+/// One line of the table.
+struct Row {
+    name: String,
+    run: Box<dyn FnMut() -> Duration>,
+    times: Vec<Duration>,
+}
+
+impl Row {
+    fn new(name: impl Into<String>, run: impl FnMut() -> Duration + 'static) -> Self {
+        Self { name: name.into(), run: Box::new(run), times: Vec::new() }
+    }
+}
+
+fn default_scene(size: [u32; 2]) -> Scene {
+    let preset = preset("two-through-each-other").expect("it is built in");
+    let scene = Scene::from_json(preset.json.as_bytes()).expect("presets are right");
+    Scene { size, ..scene }
+}
+
+/// Re-evaluates after one vertex moved back and forth.
+fn drag(size: [u32; 2], algorithm: Algorithm) -> Row {
+    let mut scene = default_scene(size);
+    let places = [0.0, 0.125].map(|by| {
+        let mut mesh = Mesh::clone(scene.draws[0].geometry.mesh().expect("it is a mesh"));
+        mesh.positions[0][0] += by;
+        Arc::new(mesh)
+    });
+    let expected = places.clone().map(|mesh| {
+        scene.draws[0].geometry = Geometry::Mesh(mesh);
+        render(&scene, &Skips::NONE)
+    });
+    assert!(!expected[0].same_image(&expected[1]), "the drag must show");
+    let mut pipeline = Pipeline::new(algorithm);
+    let mut turn = 0;
+    let name = format!("drag a vertex, {}x{}, {}", size[0], size[1], algorithm.name());
+    Row::new(name, move || {
+        turn = 1 - turn;
+        scene.draws[0].geometry = Geometry::Mesh(places[turn].clone());
+        let start = Instant::now();
+        black_box(pipeline.update(&scene, &Skips::ALL));
+        let time = start.elapsed();
+        assert!(pipeline.outputs().frame.same_image(&expected[turn]));
+        time
+    })
+}
+
+/// From the bytes of a model to its first image.
+fn first_image(path: String) -> Row {
+    let bytes = std::fs::read(&path).expect("the model can be read");
+    let draw = move |skips: Skips| -> Frame {
+        let mesh = Mesh::from_obj(&bytes).expect("the model is right");
+        render(&scene_from_obj("model.obj", mesh, MODEL_SIZE), &skips)
+    };
+    let expected = draw(Skips::NONE);
+    assert!(expected.stats.stage(Stage::Image).went > 10_000, "it must be seen");
+    Row::new(format!("bytes to first image, 1280x720, {path}"), move || {
+        let start = Instant::now();
+        let frame = draw(Skips::ALL);
+        let time = start.elapsed();
+        assert!(frame.same_image(&expected));
+        time
+    })
+}
+
+fn main() {
+    let mut rows = Vec::new();
+    for size in [[36, 24], MODEL_SIZE] {
+        for algorithm in Algorithm::ALL {
+            rows.push(drag(size, algorithm));
+        }
+    }
+    // Cargo passes `--bench`; everything else names a model.
+    rows.extend(std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).map(first_image));
+    for _ in 0..ROUNDS {
+        for row in &mut rows {
+            row.times.push((row.run)());
+        }
+    }
+    println!("{:<60} {:>10} {:>10}", "", "best ms", "median ms");
+    for Row { name, times, .. } in &mut rows {
+        times.sort_unstable();
+        let [best, median] = [times[0], times[times.len() / 2]].map(|time| time.as_secs_f64() * 1e3);
+        println!("{name:<60} {best:>10.3} {median:>10.3}");
+    }
+}

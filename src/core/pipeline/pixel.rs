@@ -1,0 +1,340 @@
+//! Why a pixel looks as it does: every triangle that could have touched it, in order, with what
+//! became of it there.
+//!
+//! Computed for one pixel on demand; the image's own run keeps nothing for it. The outcomes do not
+//! depend on the skips.
+
+use super::{
+    DrawOutputs, Outputs, Piece, Skips,
+    evaluate::Pipeline,
+    fragments::{FragmentState, ImageState, Paint},
+    shader::Shader,
+    stages::{Clipped, Point},
+};
+use crate::{
+    clip::polygon::Plane,
+    cull::{Facing, facing, frustum::triangle_outside},
+    depth::{DepthBuffer, DepthPlane},
+    math::{Arithmetic, Tally, edge_value},
+    raster::{
+        Settings, YAxis,
+        edge::{Edges, centre},
+    },
+    scene::{Draw, Scene},
+    stencil::StencilOutcome,
+    transform::{DepthRange, Viewport, divide},
+};
+
+/// In a scene with at most this many triangles all are listed, else those whose box holds the pixel.
+const LIST_ALL: usize = 16;
+
+/// What became of a triangle at a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outcome {
+    /// Its object lies outside a plane of the frustum.
+    ObjectOutside(Plane),
+    /// It lies outside a plane of the frustum.
+    Outside(Plane),
+    /// It is culled for its facing, or degenerate.
+    Culled {
+        /// Its facing.
+        facing: Facing,
+        /// Whether it would have covered the pixel's centre.
+        would_cover: bool,
+    },
+    /// Nothing is left of it after clipping.
+    ClippedAway,
+    /// A plane cut off the part of it that is seen here.
+    CutOff(Plane),
+    /// It has no area on the screen: rounding made it so.
+    ZeroArea,
+    /// The centre lies outside an edge.
+    OutsideEdge {
+        /// Which edge, from 0.
+        edge: u8,
+        /// The edge function there, negative.
+        value: f64,
+    },
+    /// The centre lies on an edge, and the fill rule gives it to the neighbour.
+    LostTie {
+        /// Which edge, from 0.
+        edge: u8,
+    },
+    /// The stencil test failed.
+    Stencil {
+        /// The stored value.
+        stored: u8,
+    },
+    /// The depth test failed.
+    Depth {
+        /// The fragment's code.
+        new: u32,
+        /// The stored code.
+        stored: u32,
+    },
+    /// It was written.
+    Written {
+        /// The fragment's depth code, if the draw tests depth.
+        depth: Option<u32>,
+        /// The depth code stored before.
+        stored: u32,
+        /// Colour codes before and after.
+        color: [[u8; 4]; 2],
+        /// Whether a later fragment was written over it.
+        overwritten: bool,
+    },
+}
+
+/// One triangle, or one piece of it, at a pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PixelEntry {
+    /// What it is called: `A`, `A.1`.
+    pub name: String,
+    /// Which draw.
+    pub draw: usize,
+    /// Which triangle of its mesh; `None` for the whole object.
+    pub triangle: Option<u32>,
+    /// What became of it.
+    pub outcome: Outcome,
+}
+
+/// All that happened at one pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PixelHistory {
+    /// Column and row.
+    pub pixel: [u32; 2],
+    /// Colour codes after the clear.
+    pub clear_color: [u8; 4],
+    /// Depth code after the clear.
+    pub clear_depth: u32,
+    /// What came, in drawing order.
+    pub entries: Vec<PixelEntry>,
+    /// Colour codes at the end.
+    pub color: [u8; 4],
+    /// Depth code at the end.
+    pub depth: u32,
+    /// Stencil value at the end.
+    pub stencil: u8,
+}
+
+/// The history of a pixel of the image. `outputs` are those of the same scene.
+pub fn pixel_history(scene: &Scene, outputs: &Outputs, pixel: [u32; 2]) -> PixelHistory {
+    let state = ImageState::new(scene, Default::default(), Skips::NONE);
+    let depth = DepthBuffer::new([1, 1], scene.depth_format, scene.clear.depth);
+    let clear_color = state.clear_color();
+    let mut probe = Probe {
+        pixel,
+        at: centre(pixel[0], pixel[1]),
+        settings: state.settings(),
+        viewport: outputs.viewport,
+        list_all: outputs.draws.iter().map(|draw| draw.mesh().triangles.len()).sum::<usize>() <= LIST_ALL,
+        color: clear_color,
+        stencil: scene.clear.stencil,
+        depth,
+        entries: Vec::new(),
+        tally: Tally::default(),
+    };
+    let clear_depth = probe.depth.code([0, 0]);
+    for (index, (draw, stages)) in scene.draws.iter().zip(&outputs.draws).enumerate() {
+        probe.draw(index, draw, stages);
+    }
+    let Probe { color, stencil, depth, mut entries, .. } = probe;
+    let written = entries.iter_mut().filter_map(|entry| match &mut entry.outcome {
+        Outcome::Written { overwritten, .. } => Some(overwritten),
+        _ => None,
+    });
+    written.rev().skip(1).for_each(|overwritten| *overwritten = true);
+    PixelHistory { pixel, clear_color, clear_depth, entries, color, depth: depth.code([0, 0]), stencil }
+}
+
+/// [`pixel_history`] of a scene that has not been drawn.
+pub fn pixel_history_of(scene: &Scene, pixel: [u32; 2]) -> PixelHistory {
+    let mut pipeline = Pipeline::default();
+    pipeline.update_geometry(scene, Skips::ALL);
+    pixel_history(scene, pipeline.outputs(), pixel)
+}
+
+/// One pixel while the scene is drawn.
+struct Probe {
+    pixel: [u32; 2],
+    at: [f32; 2],
+    settings: Settings,
+    viewport: Viewport,
+    list_all: bool,
+    color: [u8; 4],
+    stencil: u8,
+    depth: DepthBuffer,
+    entries: Vec<PixelEntry>,
+    tally: Tally,
+}
+
+impl Probe {
+    fn draw(&mut self, index: usize, draw: &Draw, stages: &DrawOutputs) {
+        let mesh = stages.mesh();
+        if let Some(plane) = stages.outside() {
+            if self.list_all {
+                let outcome = Outcome::ObjectOutside(plane);
+                self.entries.push(PixelEntry {
+                    name: draw.name.clone(),
+                    draw: index,
+                    triangle: None,
+                    outcome,
+                });
+            }
+            return;
+        }
+        let state = FragmentState::new(draw);
+        let mut pieces = &stages.clipped().pieces[..];
+        for (triangle, indices) in (0..).zip(&mesh.triangles) {
+            let own = pieces.iter().take_while(|piece| piece.triangle == triangle).count();
+            let (these, rest) = pieces.split_at(own);
+            pieces = rest;
+            let clip = indices.map(|i| stages.clip()[i as usize]);
+            let push = |probe: &mut Self, part: Option<u32>, outcome: Outcome| {
+                let number =
+                    if mesh.triangles.len() > 1 { format!(" {}", triangle + 1) } else { String::new() };
+                let part = part.map(|part| format!(".{}", part + 1)).unwrap_or_default();
+                let name = format!("{}{number}{part}", draw.name);
+                probe.entries.push(PixelEntry { name, draw: index, triangle: Some(triangle), outcome });
+            };
+            match self.before_screen(clip, draw, stages, triangle) {
+                Some((outcome, near)) => {
+                    if near || self.list_all {
+                        push(self, None, outcome);
+                    }
+                }
+                None if these.is_empty() => {
+                    if self.list_all {
+                        push(self, None, Outcome::ClippedAway);
+                    }
+                }
+                None => {
+                    for piece in these {
+                        let (outcome, near) = self.piece(piece, clip, stages, &state);
+                        if near || self.list_all {
+                            push(self, (these.len() > 1).then_some(piece.part), outcome);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Why a triangle did not come to the screen, and whether it would have been near the pixel.
+    fn before_screen(
+        &mut self,
+        clip: [Point; 3],
+        draw: &Draw,
+        stages: &DrawOutputs,
+        triangle: u32,
+    ) -> Option<(Outcome, bool)> {
+        let range = self.viewport.depth_range;
+        if let Some(plane) = triangle_outside(clip, range) {
+            return Some((Outcome::Outside(plane), false));
+        }
+        let facing = facing(clip, draw.front, &mut self.tally);
+        if !draw.cull.drops(facing) {
+            return None;
+        }
+        let mut clipped = Clipped::default();
+        clipped.push(triangle, false, stages.clip(), stages.mesh(), range);
+        let place = |i: u32| self.viewport.to_screen(divide(clipped.corners[i as usize]));
+        let pieces: Vec<_> = clipped.pieces.iter().map(|piece| piece.corners.map(place)).collect();
+        let near = pieces.iter().any(|corners| self.is_near(corners));
+        let would_cover = pieces.iter().any(|corners| self.miss(corners).is_none());
+        Some((Outcome::Culled { facing, would_cover }, near))
+    }
+
+    /// What became of a piece on the screen, and whether it was near the pixel.
+    fn piece(
+        &mut self,
+        piece: &Piece,
+        clip: [Point; 3],
+        stages: &DrawOutputs,
+        state: &FragmentState,
+    ) -> (Outcome, bool) {
+        let corners = piece.corners.map(|i| stages.screen()[i as usize]);
+        let near = self.is_near(&corners);
+        if let Some(miss) = self.miss(&corners) {
+            let cut_off = self.cut_off(clip);
+            return (cut_off.map_or(miss, Outcome::CutOff), near || cut_off.is_some());
+        }
+        let plane =
+            DepthPlane::new(corners.map(|[x, y, z, _]| [x, y, z]), Arithmetic::Exact, &mut self.tally);
+        let Some(shader) = Shader::new(stages, piece, state.texture, &mut self.tally) else {
+            return (Outcome::ZeroArea, near);
+        };
+        let new = plane.code(self.pixel, self.depth.format(), &mut self.tally);
+        let (stored, stencil) = (self.depth.code([0, 0]), self.stencil);
+        let depth = &mut self.depth;
+        let outcome = match state.test(&mut self.stencil, || depth.test(state.depth, [0, 0], new)) {
+            StencilOutcome::Fail => Outcome::Stencil { stored: stencil },
+            StencilOutcome::DepthFail => Outcome::Depth { new, stored },
+            StencilOutcome::Pass => {
+                let paint = Paint::new(&shader, state, self.pixel, &mut self.tally);
+                let before = self.color;
+                self.color = paint.over(before, state, &mut self.tally);
+                let depth = state.depth.test.then_some(new);
+                Outcome::Written { depth, stored, color: [before, self.color], overwritten: false }
+            }
+        };
+        (outcome, near)
+    }
+
+    /// Whether the box around a piece holds the pixel's centre.
+    fn is_near(&self, corners: &[Point; 3]) -> bool {
+        [0, 1].into_iter().all(|axis| {
+            let low = corners.iter().map(|corner| corner[axis]).fold(f32::INFINITY, f32::min);
+            let high = corners.iter().map(|corner| corner[axis]).fold(f32::NEG_INFINITY, f32::max);
+            (low..=high).contains(&self.at[axis])
+        })
+    }
+
+    /// Why a piece does not cover the pixel's centre; `None` if it does.
+    fn miss(&mut self, corners: &[Point; 3]) -> Option<Outcome> {
+        let vertices = corners.map(|[x, y, ..]| [x, y]);
+        let Some(Edges(edges)) = Edges::new(vertices, &self.settings, &mut self.tally) else {
+            return Some(Outcome::ZeroArea);
+        };
+        let sides = edges.map(|edge| edge.side(self.at, &mut self.tally));
+        if let Some(edge) = sides.iter().position(|side| side.is_negative()) {
+            let [a, b] = edges[edge].ends;
+            return Some(Outcome::OutsideEdge { edge: edge as u8, value: edge_value(a, b, self.at).value });
+        }
+        let lost = (0..3).find(|&i| !edges[i].draws(sides[i]))?;
+        Some(Outcome::LostTie { edge: lost as u8 })
+    }
+
+    /// The depth plane that cut off what the unclipped triangle would show here.
+    ///
+    /// In binary64, for the explanation only. *Source:* Olano and Greer 1997, section 3: edge functions
+    /// of homogeneous vertices hold before clipping.
+    fn cut_off(&self, clip: [Point; 3]) -> Option<Plane> {
+        let [half_width, half_height] = self.viewport.size.map(|n| f64::from(n) / 2.0);
+        let x = f64::from(self.at[0]) / half_width - 1.0;
+        let up = f64::from(self.at[1]) / half_height - 1.0;
+        let y = if self.viewport.y_axis == YAxis::Down { -up } else { up };
+        let v = clip.map(|point| point.map(f64::from));
+        let minor = |j: usize, k: usize| {
+            let ([ax, ay, _, aw], [bx, by, _, bw]) = (v[j], v[k]);
+            (ay * bw - aw * by) * x + (aw * bx - ax * bw) * y + (ax * by - ay * bx)
+        };
+        let weights = [minor(1, 2), minor(2, 0), minor(0, 1)];
+        let [ax, ay, _, aw] = v[0];
+        let ([bx, by, _, bw], [cx, cy, _, cw]) = (v[1], v[2]);
+        let determinant = ax * (by * cw - bw * cy) + ay * (bw * cx - bx * cw) + aw * (bx * cy - by * cx);
+        let seen = determinant != 0.0 && weights.iter().all(|weight| weight * determinant.signum() >= 0.0);
+        if !seen {
+            return None;
+        }
+        let sum = |axis: usize| -> f64 {
+            weights.iter().zip(v).map(|(weight, point)| weight * determinant.signum() * point[axis]).sum()
+        };
+        let (z, w) = (sum(2), sum(3));
+        let low = if self.viewport.depth_range == DepthRange::ZeroToOne { 0.0 } else { -w };
+        if z < low {
+            return Some(Plane::Near);
+        }
+        (z > w).then_some(Plane::Far)
+    }
+}

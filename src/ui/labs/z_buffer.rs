@@ -1,0 +1,85 @@
+//! The z-buffer: drag triangles over each other and change their depths.
+
+use super::{
+    Handle, Kind, Lab,
+    scanline::{fill_rule, is_small},
+};
+use crate::{
+    document::{Document, ViewState},
+    face::Face,
+    shell::choices,
+    widgets::heading,
+};
+use egui::Ui;
+use rasterscope_core::{depth::DepthFormat, pipeline::screen_triangles, scene::LabInput};
+
+/// The lab.
+#[derive(Debug)]
+pub(crate) struct ZBuffer;
+
+impl Lab for ZBuffer {
+    fn name(&self) -> &'static str {
+        "z-buffer"
+    }
+
+    fn controls(&self, ui: &mut Ui, face: &Face<'_>, document: &mut Document, view: &mut ViewState) {
+        heading(ui, face, &face.say("ui-conventions"));
+        depth_format(ui, face, document);
+        fill_rule(ui, face, document);
+        choices::snapping(ui, face, view);
+        let mut triangles = triangles(document);
+        let before = triangles.clone();
+        if !triangles.is_empty() {
+            heading(ui, face, &face.say("ui-vertices-depth"));
+            for (i, triangle) in triangles.iter_mut().enumerate() {
+                for (corner, [x, y, z]) in triangle.iter_mut().enumerate() {
+                    choices::fields(ui, face, &name(i, corner), [x, y, z]);
+                }
+            }
+        }
+        if triangles != before {
+            *document.input_mut() = LabInput::ZBuffer { triangles: Some(triangles) };
+        }
+    }
+
+    fn handles(&self, document: &Document) -> Vec<Handle> {
+        let triangles = triangles(document);
+        let corner = |i: usize| {
+            let [x, y, _] = triangles[i / 3][i % 3];
+            Handle { name: name(i / 3, i % 3), at: [x, y], kind: Kind::Point }
+        };
+        (0..3 * triangles.len()).map(corner).collect()
+    }
+
+    fn drag(&self, document: &mut Document, handle: usize, [x, y]: [f32; 2]) {
+        let mut triangles = triangles(document);
+        if let Some(triangle) = triangles.get_mut(handle / 3) {
+            let corner = &mut triangle[handle % 3];
+            *corner = [x, y, corner[2]];
+            *document.input_mut() = LabInput::ZBuffer { triangles: Some(triangles) };
+        }
+    }
+}
+
+/// The lab's own triangles, or those of the scene if they are few.
+fn triangles(document: &Document) -> Vec<[[f32; 3]; 3]> {
+    match document.input() {
+        LabInput::ZBuffer { triangles: Some(triangles) } => triangles.clone(),
+        LabInput::ZBuffer { triangles: None } if is_small(&document.scene) => {
+            screen_triangles(&document.scene).iter().map(|triangle| triangle.vertices).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The corner of a triangle: `A0`, `A1`, `A2`, `B0`, ...
+fn name(triangle: usize, corner: usize) -> String {
+    let letter = char::from(b'A' + (triangle % 26) as u8);
+    format!("{letter}{corner}")
+}
+
+/// How depths are stored.
+pub(super) fn depth_format(ui: &mut Ui, face: &Face<'_>, document: &mut Document) {
+    let all = DepthFormat::ALL.map(|format| (format, format.name().to_owned()));
+    choices::choose(ui, face, "ui-depth-format", &mut document.scene.depth_format, &all);
+}

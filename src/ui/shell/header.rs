@@ -1,0 +1,50 @@
+//! The line above the overview's canvas: what is shown, and what else could be.
+
+use crate::{
+    document::{Scenery, ViewState},
+    face::Face,
+    theme::Text,
+    widgets::{text_in, wear},
+};
+use egui::{Align2, Rect, Role as Part, Sense, Ui, WidgetInfo, pos2, vec2};
+use rasterscope_core::{message::Message, scene::Scene};
+
+/// Shows the header.
+pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, rect: Rect, scene: &Scene, view: &mut ViewState) {
+    let image = view.scenery == Scenery::Image;
+    let mut x = rect.right() - 14.0;
+    if image && toggle(ui, face, &mut x, rect, "ui-outlines", view.outlines) {
+        view.outlines = !view.outlines;
+    }
+    for (name, scenery) in [("ui-scenery-space", Scenery::Space), ("ui-scenery-image", Scenery::Image)] {
+        if toggle(ui, face, &mut x, rect, name, view.scenery == scenery) {
+            view.scenery = scenery;
+        }
+    }
+    let name = face.say(if image { "ui-scenery-image" } else { "ui-scenery-space" });
+    let galley = ui.painter().layout_no_wrap(name, face.look.font(Text::Strong), face.look.text);
+    let at = pos2(rect.left() + 14.0, rect.center().y - galley.size().y / 2.0);
+    let end = at.x + galley.size().x;
+    ui.painter().galley(at, galley, face.look.text);
+    if image {
+        let [width, height] = scene.size;
+        let size =
+            face.words.message(&Message::new("ui-image-size").with("width", width).with("height", height));
+        let room = Rect::from_min_max(pos2(end + 10.0, rect.top()), pos2(x, rect.bottom()));
+        text_in(ui.painter(), room, Align2::LEFT_CENTER, &size, face.look.font(Text::Body), face.look.dim);
+    }
+}
+
+/// A button that stays pressed, to the left of `x`; moves `x` to its left.
+fn toggle(ui: &Ui, face: &Face<'_>, x: &mut f32, rect: Rect, name: &'static str, on: bool) -> bool {
+    let text = face.say(name);
+    let galley = ui.painter().layout_no_wrap(text.clone(), face.look.font(Text::Label), face.look.text);
+    let size = vec2(galley.size().x + 20.0, face.look.button_height());
+    let at = Rect::from_min_size(pos2(*x - size.x, rect.center().y - size.y / 2.0), size);
+    *x = at.left() - 8.0;
+    let response = ui.interact(at, ui.scope_id().with(name), Sense::click());
+    response.widget_info(|| WidgetInfo::selected(Part::Button, true, on, &text));
+    wear(ui, &response, at, on, face.look);
+    ui.painter().galley(at.center() - galley.size() / 2.0, galley, face.look.text);
+    response.clicked()
+}

@@ -1,0 +1,125 @@
+use super::*;
+use egui::{Key, Modifiers};
+
+/// Every registered lab: step, back, scrub, edit by handle, undo, redo.
+#[test]
+fn every_lab_can_be_driven() {
+    for lab in rasterscope_core::labs::ALL {
+        let mut window = window_with(lab.name);
+        assert_eq!(window.state().app().problem(), None, "{}", lab.name);
+        step_and_scrub(&mut window, lab.name);
+        edit_and_undo(&mut window, lab.name);
+    }
+}
+
+fn step_and_scrub(window: &mut Window, name: &str) {
+    click(window, "To the start");
+    assert_eq!(cursor(window), 0, "{name}");
+    click(window, "Step forward");
+    let first = cursor(window);
+    assert!(first > 0, "{name}");
+    click(window, "Step back");
+    assert_eq!(cursor(window), 0, "{name}");
+    let bar = place(window, "Step of the run");
+    let y = bar.center().y;
+    drag(window, egui::pos2(bar.left() + 10.0, y), egui::pos2(bar.center().x, y));
+    let middle = cursor(window);
+    assert!(middle > 0 && middle < len(window), "{name}: {middle} of {}", len(window));
+    let sentence = window.state().app().run.shown().map(|shown| shown.sentence.clone());
+    let line = window.state().app().run.shown().and_then(|shown| shown.line);
+    assert!(sentence.is_some() && line.is_some(), "{name}");
+    click(window, "Step forward");
+    click(window, "Step back");
+    assert_eq!(cursor(window), middle, "{name}: forward and back");
+}
+
+fn edit_and_undo(window: &mut Window, name: &str) {
+    let app = window.state().app();
+    let Some(handle) = app.labs[app.lab()].handles(&app.document).pop() else { return };
+    let before = app.document.clone();
+    let (step, runs) = (cursor(window), app.run.runs());
+    let from = place(window, &handle.name).center();
+    drag(window, from, from + vec2(-40.0, 30.0));
+    let app = window.state().app();
+    assert_ne!(app.document, before, "{name}: the drag edits the document");
+    assert!(app.run.runs() > runs, "{name}: and runs again");
+    assert_eq!(cursor(window), step.min(len(window)), "{name}: at the same step");
+    let after = app.document.clone();
+    window.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    window.run();
+    assert_eq!(window.state().app().document, before, "{name}: one undo takes the whole drag back");
+    window.key_press_modifiers(Modifiers::COMMAND, Key::Y);
+    window.run();
+    assert_eq!(window.state().app().document, after, "{name}: redo");
+}
+
+#[test]
+fn moving_the_cursor_runs_nothing_again() {
+    let mut window = window_with("cohen-sutherland");
+    let runs = window.state().app().run.runs();
+    for key in [Key::Home, Key::ArrowRight, Key::End, Key::ArrowLeft] {
+        window.key_press(key);
+        window.run();
+    }
+    assert_eq!(window.state().app().run.runs(), runs);
+}
+
+#[test]
+fn a_click_on_a_listing_line_goes_to_its_next_execution() {
+    let mut window = window_with("cohen-sutherland");
+    click(&mut window, "To the start");
+    let listing = window.state().app().run.shown().expect("it runs").listing;
+    click(&mut window, &format!("2: {}", listing[1].trim_start()));
+    assert_eq!(window.state().app().run.shown().and_then(|shown| shown.line), Some(1));
+}
+
+#[test]
+fn escape_puts_a_drag_back() {
+    let mut window = window_with("cohen-sutherland");
+    let before = window.state().app().document.clone();
+    let from = place(&window, "P2").center();
+    window.hover_at(from);
+    window.run();
+    window.drag_at(from);
+    window.step();
+    window.hover_at(from + vec2(-80.0, 40.0));
+    window.step();
+    window.step();
+    assert_ne!(window.state().app().document, before);
+    window.key_press(Key::Escape);
+    window.run();
+    assert_eq!(window.state().app().document, before);
+    window.drop_at(from + vec2(-80.0, 40.0));
+    window.run();
+    assert!(!window.state().app().history.can_undo());
+}
+
+#[test]
+fn every_preset_opens_and_runs() {
+    let mut window = window(1280.0, 720.0);
+    for preset in rasterscope_core::scene::PRESETS {
+        window.state_mut().app_mut().open_preset(preset.name);
+        window.run();
+        let app = window.state().app();
+        assert_eq!(app.notice, None, "{}", preset.name);
+        // A scene that is not one depth test has no steps of its own, but its picture.
+        let has_picture = app.overview.outputs().frame.size == app.document.scene.size;
+        assert!(
+            app.problem().is_none() || app.document.input().name() == "pipeline" && has_picture,
+            "{}",
+            preset.name
+        );
+    }
+    assert_eq!(window.state().app().presets.len(), rasterscope_core::scene::PRESETS.len(), "all can be read");
+}
+
+#[test]
+fn a_narrow_window_folds() {
+    let mut window = window(1024.0, 768.0);
+    assert!(window.query_by_label("Preset").is_none(), "the choices are folded");
+    click(&mut window, "Choices");
+    assert!(window.query_by_label("Preset").is_some());
+    window.key_press(Key::Escape);
+    window.run();
+    assert!(window.query_by_label("Preset").is_none());
+}

@@ -1,0 +1,122 @@
+//! The window driven without a window: every lab, keys, files, pictures.
+
+mod files;
+mod keys;
+mod labs;
+mod painter;
+mod pictures;
+mod source;
+
+use crate::{App, Platform, theme};
+use egui::{Rect, vec2};
+use egui_kittest::{Harness, kittest::Queryable as _};
+use painter::CpuPainter;
+use std::{collections::BTreeMap, io};
+
+/// Files in memory.
+#[derive(Debug, Default)]
+struct Memory {
+    files: BTreeMap<String, Vec<u8>>,
+}
+
+impl Platform for Memory {
+    fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
+        self.files
+            .get(path)
+            .cloned()
+            .ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "there is no such file"))
+    }
+
+    fn write(&mut self, path: &str, bytes: &[u8]) -> io::Result<()> {
+        if path.starts_with("/read-only/") {
+            return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the folder is read-only"));
+        }
+        self.files.insert(path.to_owned(), bytes.to_owned());
+        Ok(())
+    }
+
+    fn choose_file(&mut self) -> bool {
+        false
+    }
+
+    fn chosen(&mut self) -> Option<String> {
+        None
+    }
+}
+
+/// A window and its files.
+struct Desk {
+    app: Option<App>,
+    platform: Memory,
+}
+
+impl Desk {
+    fn app(&self) -> &App {
+        self.app.as_ref().expect("made in the first frame")
+    }
+
+    fn app_mut(&mut self) -> &mut App {
+        self.app.as_mut().expect("made in the first frame")
+    }
+}
+
+type Window = Harness<'static, Desk>;
+
+/// A window of this size, settled.
+fn window(width: f32, height: f32) -> Window {
+    let mut window = Harness::builder()
+        .with_size(vec2(width, height))
+        .with_max_steps(16)
+        .with_step_dt(1.0 / 60.0)
+        .renderer(CpuPainter::default())
+        .with_context_setup(|ctx| ctx.set_fonts(theme::fonts()))
+        .build_ui_state(
+            |ui, desk: &mut Desk| {
+                let app = desk.app.get_or_insert_with(|| App::new(ui.ctx()));
+                app.ui(ui, &mut desk.platform);
+            },
+            Desk { app: None, platform: Memory::default() },
+        );
+    window.run();
+    window
+}
+
+/// A window with a lab open, at its end.
+fn window_with(lab: &'static str) -> Window {
+    let mut window = window(1280.0, 720.0);
+    window.state_mut().app_mut().open_lab(lab);
+    window.run();
+    window
+}
+
+fn cursor(window: &Window) -> usize {
+    window.state().app().run.shown().expect("something runs").cursor
+}
+
+fn len(window: &Window) -> usize {
+    window.state().app().run.shown().expect("something runs").len
+}
+
+/// Where a control is, by its accessible name.
+fn place(window: &Window, label: &str) -> Rect {
+    window.get_by_label(label).rect()
+}
+
+fn click(window: &mut Window, label: &str) {
+    window.get_by_label(label).click();
+    window.run();
+}
+
+/// Drags from one point to another in small steps, as a hand does.
+fn drag(window: &mut Window, from: egui::Pos2, to: egui::Pos2) {
+    window.hover_at(from);
+    window.run();
+    window.drag_at(from);
+    window.step();
+    for i in 1..=4 {
+        window.hover_at(from + (to - from) * (i as f32 / 4.0));
+        window.step();
+    }
+    window.drop_at(to);
+    window.run();
+}

@@ -72,7 +72,7 @@ fn pass_step_says_before_arrives_and_after() {
     }
     assert_eq!(player.sentence().id, "z-buffer-pass-nearer");
     let codes: Vec<_> = player.tables()[0].rows.iter().map(|row| row.cells[2].clone()).collect();
-    assert_eq!(codes, [38689, 33961, 33961].map(Value::Int));
+    assert_eq!(codes, [38689, 33961, 33961].map(Value::text));
 }
 
 /// The least exact depth of all triangles that cover a pixel, rounded to the format.

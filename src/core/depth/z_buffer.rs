@@ -5,8 +5,9 @@
 //! the exact plane value, not a sum of increments.
 
 mod explain;
+mod snapshot;
 
-pub use explain::Snapshot;
+pub use snapshot::Snapshot;
 
 use super::{DepthBuffer, DepthFormat, DepthPlane, DepthState};
 use crate::{

@@ -4,6 +4,7 @@ use rasterscope_core::{
     cull::CullMode,
     message::{Message, Value},
     scene::{Geometry, MODEL_SIZE, MODELS, Mesh, Scene, Shade, scene_from_obj},
+    transform::{DepthRange, Viewport, apply, matrices},
 };
 
 fn line(message: &Message) -> Option<Value> {
@@ -207,6 +208,26 @@ fn a_scene_around_a_model_shows_all_of_it() {
         let again = Scene::from_json(scene.to_json().as_bytes())
             .and_then(|scene| scene.resolve(&mut |_| Ok(bytes.to_vec())));
         assert_eq!(again, Ok(scene), "{file}: saved and opened again");
+    }
+}
+
+#[test]
+fn the_camera_sees_every_vertex_of_a_model() {
+    for (file, bytes) in MODELS {
+        let mesh = Mesh::from_obj(bytes).unwrap_or_else(|error| panic!("{file}: {error}"));
+        for size in [MODEL_SIZE, [300, 400]] {
+            let camera = scene_from_obj(file, mesh.clone(), size).camera;
+            let viewport = Viewport { size, ..Viewport::default() };
+            let view = matrices::view(&camera);
+            let projection = matrices::projection(&camera, viewport.aspect(), DepthRange::ZeroToOne, false);
+            let most = mesh.positions.iter().fold([0.0_f32; 2], |most, [x, y, z]| {
+                let [x, y, z, w] = apply(&projection, apply(&view, [*x, *y, *z, 1.0]));
+                assert!(0.0 <= z && z <= w, "{file}: between near and far");
+                [most[0].max(x.abs() / w), most[1].max(y.abs() / w)]
+            });
+            let filled = most[0].max(most[1]);
+            assert!((0.85..0.95).contains(&filled), "{file} fills {filled} of {size:?}");
+        }
     }
 }
 

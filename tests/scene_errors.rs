@@ -217,6 +217,21 @@ fn a_scene_of_a_hundred_megabytes_in_one_line_is_refused_by_its_size() {
 }
 
 #[test]
+fn a_message_quotes_only_the_beginning_of_what_is_long() {
+    let long = "x".repeat(1_000_000);
+    for fields in [
+        format!(r#""{long}":1"#),
+        format!(r#""fill_rule":"{long}""#),
+        format!(r#""lab":{{"name":"pipeline","algorithm":"{long}"}}"#),
+        format!(r#""camera":{{"{long}":{{"{long}":1}}}}"#),
+    ] {
+        let json = format!(r#"{{"rasterscope":1,"size":[1,1],"draws":[],{fields}}}"#);
+        let message = Scene::from_json(json.as_bytes()).expect_err("unknown").message();
+        assert!(format!("{message:?}").len() < 1000, "{}", message.id);
+    }
+}
+
+#[test]
 fn a_model_that_cannot_be_loaded_is_named_with_its_file() {
     let scene = Scene::from_json(
         br#"{"rasterscope":1,"size":[1,1],"draws":[{"vertices":[]},{"model":"x.obj"},{"model":"x.obj"}]}"#,

@@ -16,9 +16,9 @@ fn write(output: &mut dyn Write) -> io::Result<()> {
     let rasters = raster::Algorithm::ALL.map(raster::Algorithm::name);
     let steps = ["transform", "z-buffer"];
     let presets = PRESETS.iter().map(|preset| (preset.name, words::of(&format!("preset-{}", preset.name))));
-    section(output, "list-labs", labs::ALL.map(|lab| about(lab.name)))?;
-    section(output, "list-algorithms", lines.into_iter().chain(rasters).chain(steps).map(about))?;
-    section(output, "list-presets", presets)
+    section(output, "cli-labs", labs::ALL.map(|lab| about(lab.name)))?;
+    section(output, "cli-algorithms", lines.into_iter().chain(rasters).chain(steps).map(about))?;
+    section(output, "cli-presets", presets)
 }
 
 /// A heading, and below it names with their sentences in two columns.

@@ -13,6 +13,8 @@ use crate::{
 
 /// Everything is clipped to the canvas and this much around it, so that ends stay out of sight.
 const MARGIN: f64 = 24.0;
+/// More lines than this are not avoided by labels: in a mesh there is no free place anyway.
+const LINES: usize = 2000;
 /// Distance of hatch lines.
 const HATCH: f64 = 8.0;
 
@@ -125,7 +127,9 @@ impl<'a> Canvas<'a> {
         let visible = self.rect;
         let lines = if role == Role::Active { &mut self.active_lines } else { &mut self.lines };
         for ends in segments(points, closed) {
-            lines.extend(visible.clip(ends));
+            if lines.len() < LINES {
+                lines.extend(visible.clip(ends));
+            }
         }
     }
 

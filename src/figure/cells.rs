@@ -28,8 +28,13 @@ pub(crate) struct Cells {
     format: ColumnFormat,
     /// Spans of the current step by row.
     spans: BTreeMap<i32, [f32; 2]>,
+    /// The mark whose value a pixel shows, and the one whose object it wears: the last.
+    values: BTreeMap<[i32; 2], usize>,
+    objects: BTreeMap<[i32; 2], usize>,
     /// Pixels that have a mark.
     pub(crate) taken: BTreeSet<[i32; 2]>,
+    /// Whether a picture lies under the grid: its pixels say what is drawn.
+    pub(crate) pictured: bool,
     /// Rows and columns of the current step.
     pub(crate) lit: crate::grid::Lit,
 }
@@ -43,13 +48,22 @@ impl Cells {
         let mut cells = Self {
             format: ColumnFormat::of(values, CELL_DECIMALS),
             spans: BTreeMap::new(),
+            values: BTreeMap::new(),
+            objects: BTreeMap::new(),
             taken: BTreeSet::new(),
+            pictured: false,
             lit: crate::grid::Lit::default(),
         };
-        for mark in marks {
+        for (index, mark) in marks.iter().enumerate() {
             match mark {
-                Mark::Pixel { at, role, .. } => {
+                Mark::Pixel { at, role, object, value } => {
                     cells.taken.insert(*at);
+                    if object.is_some() {
+                        cells.objects.insert(*at, index);
+                    }
+                    if *value != Value::None {
+                        cells.values.insert(*at, index);
+                    }
                     if *role == Role::Active {
                         cells.lit.columns.insert(at[0].into());
                         cells.lit.rows.insert(at[1].into());
@@ -59,6 +73,7 @@ impl Cells {
                     cells.spans.insert(*y, *ends);
                     cells.lit.rows.insert((*y).into());
                 }
+                Mark::Image { .. } => cells.pictured = true,
                 Mark::Guide { axis, at, role: Role::Active, .. } => {
                     let lit = if *axis == 0 { &mut cells.lit.columns } else { &mut cells.lit.rows };
                     lit.insert(at.floor() as i64);
@@ -75,11 +90,17 @@ impl Cells {
         p[1] - row == 0.5 && self.spans.get(&(row as i32)).is_some_and(|ends| ends.contains(&p[0]))
     }
 
-    pub(crate) fn pixel(&self, canvas: &mut Canvas<'_>, mark: &Mark) {
+    /// Draws the pixel that is mark number `index`.
+    pub(crate) fn pixel(&self, canvas: &mut Canvas<'_>, index: usize, mark: &Mark) {
         let Mark::Pixel { at, role, object, value } = mark else { return };
         let Some(rect) = cell_rect(canvas, *at, [1, 1]) else { return };
-        let ground = fill(canvas, rect, *role, *object);
-        let shown = *value != Value::None && self.value(canvas, rect, *role, *object, value, ground);
+        let covered = self.objects.get(at).is_some_and(|&last| last != index);
+        let ground = fill(canvas, rect, *role, *object, covered);
+        let shown = match self.values.get(at) {
+            Some(&last) if last == index => self.value(canvas, rect, *role, *object, value, ground),
+            Some(_) => canvas.placement.scale >= VALUES,
+            None => false,
+        };
         self.marks(canvas, rect, *at, *role, shown);
     }
 
@@ -111,14 +132,13 @@ impl Cells {
         canvas.small.push(if loud { rect } else { Rect::around(rect.center(), [10.0; 2]) });
         match role {
             Role::Active | Role::Neutral | Role::Changed => {}
+            Role::Accepted | Role::Rejected if shown && cell < CORNER => {}
             Role::Accepted | Role::Rejected if shown => {
-                if cell >= CORNER {
-                    let radius = 6.5 + grown;
-                    let inset = f64::from(radius) + 4.0 + f64::from(grown);
-                    let corner = narrow([rect.max[0] - inset, rect.min[1] + inset]);
-                    let shapes = marker(style.marker, corner, radius, style.color, theme.canvas);
-                    canvas.extend(Layer::Handle, shapes);
-                }
+                let radius = 6.5 + grown;
+                let inset = f64::from(radius) + 4.0 + f64::from(grown);
+                let corner = narrow([rect.max[0] - inset, rect.min[1] + inset]);
+                let shapes = marker(style.marker, corner, radius, style.color, theme.canvas);
+                canvas.extend(Layer::Handle, shapes);
             }
             Role::Accepted => {
                 let color = if in_active_span { style.color } else { theme.text };
@@ -209,15 +229,17 @@ impl Cells {
     }
 }
 
-/// The fill of a pixel; answers what its value stands on.
-fn fill(canvas: &mut Canvas<'_>, rect: Rect, role: Role, object: Option<usize>) -> Color {
+/// The fill of a pixel, unless a later mark's object covers it; answers what its value stands on.
+fn fill(canvas: &mut Canvas<'_>, rect: Rect, role: Role, object: Option<usize>, covered: bool) -> Color {
     let theme = canvas.theme;
     let mut ground = theme.canvas;
     let mut paint = |canvas: &mut Canvas<'_>, color: Color| {
         ground = color.over(ground);
         run(canvas, rect, color);
     };
-    if let Some(index) = object {
+    if let Some(index) = object
+        && !covered
+    {
         let (color, repeated) = theme.object(index);
         paint(canvas, color.alpha(theme.object_alpha));
         if repeated {

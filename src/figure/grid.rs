@@ -6,6 +6,7 @@ use rasterscope_core::explain::{Grid, Role, View};
 
 use crate::{
     canvas::{Canvas, Layer, TextStyle, narrow},
+    cells::Cells,
     figure::{Font, Shape, Stroke},
     geometry::Rect,
     markers::disc,
@@ -28,12 +29,12 @@ pub(crate) struct Lit {
     pub(crate) rows: BTreeSet<i64>,
 }
 
-/// Draws the grid of `view`; pixel centres in `taken` cells are left out.
-pub(crate) fn draw(canvas: &mut Canvas<'_>, view: &View, taken: &BTreeSet<[i32; 2]>, lit: &Lit) {
+/// Draws the grid of `view`.
+pub(crate) fn draw(canvas: &mut Canvas<'_>, view: &View, cells: &Cells) {
     match view.grid {
         Grid::None => {}
         Grid::Units => units(canvas),
-        Grid::Pixels => pixels(canvas, view, taken, lit),
+        Grid::Pixels => pixels(canvas, view, cells),
     }
 }
 
@@ -58,7 +59,7 @@ fn units(canvas: &mut Canvas<'_>) {
     }
 }
 
-fn pixels(canvas: &mut Canvas<'_>, view: &View, taken: &BTreeSet<[i32; 2]>, lit: &Lit) {
+fn pixels(canvas: &mut Canvas<'_>, view: &View, cells: &Cells) {
     let cell = canvas.placement.scale;
     let Some(frame) = frame(canvas, view) else { return };
     let shown = Rect {
@@ -86,11 +87,11 @@ fn pixels(canvas: &mut Canvas<'_>, view: &View, taken: &BTreeSet<[i32; 2]>, lit:
         }
     }
     frame_lines(canvas, frame);
-    if cell >= CENTRES {
+    if cell >= CENTRES && !cells.pictured {
         let radius = (1.6 + canvas.theme.extra_stroke * 0.4) * (cell as f32 / 40.0).min(1.0);
         for y in visible[1][0]..visible[1][1] {
             for x in visible[0][0]..visible[0][1] {
-                if !taken.contains(&[x as i32, y as i32]) {
+                if !cells.taken.contains(&[x as i32, y as i32]) {
                     let at = canvas.placement.wide([x as f64 + 0.5, y as f64 + 0.5]);
                     canvas.push(Layer::Grid, disc(narrow(at), radius, canvas.theme.faint));
                 }
@@ -98,7 +99,7 @@ fn pixels(canvas: &mut Canvas<'_>, view: &View, taken: &BTreeSet<[i32; 2]>, lit:
         }
     }
     for axis in 0..2 {
-        let lit = if axis == 0 { &lit.columns } else { &lit.rows };
+        let lit = if axis == 0 { &cells.lit.columns } else { &cells.lit.rows };
         ruler_numbers(canvas, axis, shown, visible[axis], ruler, lit);
     }
 }

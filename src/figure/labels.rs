@@ -219,12 +219,18 @@ fn around_area(offsets: &mut Vec<[f64; 2]>, height: f64) {
     }
 }
 
-fn free(canvas: &Canvas<'_>, rect: Rect, clear_of_lines: bool) -> bool {
-    rect.inside(canvas.rect.grown(-BORDER))
-        && !canvas.kept_clear.iter().any(|other| other.overlaps(rect))
-        && !canvas.active_lines.iter().any(|&ends| rect.grown(3.0).clip(ends).is_some())
-        && !(clear_of_lines && canvas.lines.iter().any(|&ends| rect.clip(ends).is_some()))
-        && !(clear_of_lines && canvas.small.iter().any(|other| other.overlaps(rect)))
+/// Whether a plate may stand there; `strictly`: clear also of what it might cover if need be.
+fn free(canvas: &Canvas<'_>, rect: Rect, strictly: bool) -> bool {
+    let covers = |rects: &[Rect]| rects.iter().any(|other| other.overlaps(rect));
+    let near = rect.grown(3.0);
+    if !rect.inside(canvas.rect.grown(-BORDER))
+        || covers(&canvas.kept_clear)
+        || canvas.active_lines.iter().any(|&ends| near.clip(ends).is_some())
+    {
+        return false;
+    }
+    let crosses = || canvas.lines.iter().any(|&ends| rect.clip(ends).is_some());
+    !strictly || !(covers(&canvas.small) || crosses())
 }
 
 /// From the anchor to the nearest point of the plate.

@@ -48,14 +48,14 @@ pub fn draw_held(
 ) -> (Figure, Places) {
     let mut canvas = Canvas::new(placement, size, theme, words);
     let cells = Cells::of(marks);
-    grid::draw(&mut canvas, view, &cells.taken, &cells.lit);
+    grid::draw(&mut canvas, view, &cells);
     let mut wishes = Vec::new();
     let mut wish = |anchor: Option<Anchor>, label: &Option<Label>, role: Role| {
         if let (Some(anchor), Some(label)) = (anchor, label) {
             wishes.push(Wish { anchor, label: label.clone(), role });
         }
     };
-    for mark in marks {
+    for (index, mark) in marks.iter().enumerate() {
         match mark {
             Mark::Point { at, role, label } => {
                 let marked = *role == Role::Active && cells.ends_span(*at);
@@ -65,12 +65,12 @@ pub fn draw_held(
                 wish(segment(&mut canvas, *ends, *role), label, *role);
             }
             Mark::Guide { axis, at, role, label } => {
-                guide(&mut canvas, view, usize::from(*axis != 0), *at, *role, label)
+                guide(&mut canvas, view, usize::from(*axis != 0), *at, *role, label);
             }
             Mark::Polygon { points, role, object, label } => {
                 wish(polygon(&mut canvas, view, points, *role, *object), label, *role);
             }
-            Mark::Pixel { .. } => cells.pixel(&mut canvas, mark),
+            Mark::Pixel { .. } => cells.pixel(&mut canvas, index, mark),
             Mark::Span { y, ends, role } => cells::span(&mut canvas, *y, *ends, *role),
             Mark::Text { at, label, role, big } => text(&mut canvas, *at, label, *role, *big),
             Mark::Image { size, rgba } => image(&mut canvas, *size, rgba),

@@ -116,3 +116,45 @@ pub(crate) fn disc(center: [f32; 2], radius: f32, color: Color) -> Shape {
 pub(crate) fn ring(center: [f32; 2], radius: f32, color: Color, width: f32) -> Shape {
     Shape::Circle { center, radius, fill: None, stroke: Some(Stroke::solid(color, width)) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        figure::Figure,
+        png::pixmap,
+        theme::{Color, ThemeName},
+    };
+    use rasterscope_core::explain::Role;
+
+    const WHITE: Color = Color::hex(0xFFFFFF);
+    const BLACK: Color = Color::hex(0x000000);
+
+    /// The pixels of a marker 8 points large, in black and white.
+    fn dark_pixels(shape: Marker) -> Vec<usize> {
+        let shapes = marker(shape, [12.0, 12.0], 8.0, BLACK, WHITE);
+        let figure = Figure { size: [24.0, 24.0], background: WHITE, shapes };
+        let pixels = pixmap(&figure, 1.0);
+        let dark = pixels.pixels().iter().enumerate().filter(|(_, pixel)| pixel.red() < 128);
+        dark.map(|(index, _)| index).collect()
+    }
+
+    #[test]
+    fn markers_stay_in_their_size_and_differ_without_colour() {
+        let markers = Role::ALL.map(|role| ThemeName::Dark.theme().style(role).marker);
+        for (i, &a) in markers.iter().enumerate() {
+            let pixels = dark_pixels(a);
+            assert!(pixels.len() > 20, "{a:?}");
+            for &index in &pixels {
+                let [x, y] = [index % 24, index / 24];
+                assert!((3..21).contains(&x) && (3..21).contains(&y), "{a:?} reaches ({x}, {y})");
+            }
+            for &b in &markers[i + 1..] {
+                let other = dark_pixels(b);
+                let differ = pixels.iter().filter(|index| !other.contains(index)).count()
+                    + other.iter().filter(|index| !pixels.contains(index)).count();
+                assert!(differ >= 12, "{a:?} and {b:?} differ in {differ} pixels");
+            }
+        }
+    }
+}

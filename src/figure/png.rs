@@ -244,7 +244,7 @@ mod tests {
 
     #[test]
     fn image_pixels_are_sharp_at_every_scale() {
-        let rgba = Arc::new([255, 0, 0, 255].repeat(1).into_iter().chain([255; 4]).collect::<Vec<u8>>());
+        let rgba = Arc::new(vec![255, 0, 0, 255, 255, 255, 255, 255]);
         let shape = Shape::Image { min: [0.0, 0.0], max: [20.0, 10.0], size: [2, 1], rgba };
         for scale in [1.0, 2.0] {
             let pixmap = pixmap(&figure(vec![shape.clone()]), scale);

@@ -38,15 +38,16 @@ macro_rules! language {
 pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
     "labs"
-    "figure"
-    "ui"
-    "cli"
-    "cohen-sutherland"
-    "pipeline"
-    "scanline"
     "scene"
+    "ui"
+    "pipeline"
     "transform"
+    "cohen-sutherland"
+    "aabb"
+    "scanline"
     "z-buffer"
+    "figure"
+    "cli"
 )];
 
 /// The words of one language.

@@ -44,6 +44,6 @@ error-unknown-lab = There is no lab { $lab }. Known: { $known }.
 error-figure-ending = { $file } must end in .svg or .png.
 error-figure-size = The size must be WIDTHxHEIGHT, each from 16 to 8192.
 
-list-labs = Labs (trace ALGORITHM FILE, figure LAB FILE)
-list-algorithms = Algorithms
-list-presets = Presets (as FILE)
+cli-labs = Labs (trace ALGORITHM FILE, figure LAB FILE)
+cli-algorithms = Algorithms
+cli-presets = Presets (as FILE)

@@ -3,11 +3,22 @@
 use super::{DepthFormat, DepthState};
 
 /// One depth code a pixel, row by row from row 0.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Debug, PartialEq, Eq)]
 pub struct DepthBuffer {
     size: [u32; 2],
     format: DepthFormat,
     codes: Vec<u32>,
+}
+
+impl Clone for DepthBuffer {
+    fn clone(&self) -> Self {
+        Self { codes: self.codes.clone(), ..*self }
+    }
+
+    fn clone_from(&mut self, from: &Self) {
+        self.codes.clone_from(&from.codes);
+        (self.size, self.format) = (from.size, from.format);
+    }
 }
 
 impl DepthBuffer {

@@ -49,33 +49,41 @@ impl Settings {
 
     /// An image with nothing drawn.
     pub fn empty(&self) -> Image {
-        let [width, height] = self.raster.size;
-        Image {
-            depth: DepthBuffer::new(self.raster.size, self.format, self.clear),
-            owners: vec![None; width as usize * height as usize],
-        }
+        let depth = DepthBuffer::new(self.raster.size, self.format, self.clear);
+        Image { owners: vec![0; depth.codes().len()], depth }
     }
 }
 
 /// What has been drawn.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Image {
     /// The depth of each pixel.
     pub depth: DepthBuffer,
-    /// Which triangle each pixel shows, row by row from row 0.
-    pub owners: Vec<Option<u32>>,
+    /// The triangle that each pixel shows, plus 1; 0 is none.
+    owners: Vec<u32>,
+}
+
+impl Clone for Image {
+    fn clone(&self) -> Self {
+        Self { depth: self.depth.clone(), owners: self.owners.clone() }
+    }
+
+    fn clone_from(&mut self, from: &Self) {
+        self.depth.clone_from(&from.depth);
+        self.owners.clone_from(&from.owners);
+    }
 }
 
 impl Image {
     /// The triangle that a pixel of the image shows.
     #[inline]
     pub fn owner(&self, pixel: [u32; 2]) -> Option<u32> {
-        self.owners[self.depth.index(pixel)]
+        self.owners[self.depth.index(pixel)].checked_sub(1)
     }
 
     fn show(&mut self, pixel: [u32; 2], triangle: u32) {
         let index = self.depth.index(pixel);
-        self.owners[index] = Some(triangle);
+        self.owners[index] = triangle + 1;
     }
 }
 
@@ -152,8 +160,8 @@ pub fn draw_traced<T: Tracer<Event>>(
     image
 }
 
-/// One triangle of [`draw_traced`]: its fragments against the image.
-fn draw_triangle_traced<T: Tracer<Event>>(
+/// One triangle of [`draw_traced`], over what the image holds; `index` is what its pixels show.
+pub fn draw_triangle_traced<T: Tracer<Event>>(
     triangle: Triangle,
     index: u32,
     settings: &Settings,

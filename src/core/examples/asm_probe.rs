@@ -4,6 +4,7 @@
 
 use rasterscope_core::{
     clip::line::{Segment, Window, cohen_sutherland},
+    depth::z_buffer::{self, Image, Triangle},
     math::{Arithmetic, Tally},
     raster::{Counts, Settings, Span, scanline},
     trace::NoTrace,
@@ -23,6 +24,16 @@ pub fn probe_raster_scanline(
     spans: &mut Vec<Span>,
 ) -> Counts {
     scanline::fill_traced(triangle, settings, tally, &mut NoTrace, &mut |span| spans.push(span))
+}
+
+#[unsafe(no_mangle)]
+pub fn probe_depth_z_buffer(
+    triangle: Triangle,
+    settings: &z_buffer::Settings,
+    image: &mut Image,
+    tally: &mut Tally,
+) {
+    z_buffer::draw_triangle_traced(triangle, 0, settings, image, tally, &mut NoTrace);
 }
 
 #[unsafe(no_mangle)]

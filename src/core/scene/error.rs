@@ -260,6 +260,15 @@ impl Problem {
     }
 }
 
+/// The beginning of a name or word of a file, for a message: a hostile one may be megabytes long.
+pub(super) fn shortened(text: &str) -> String {
+    const MOST: usize = 40;
+    match text.char_indices().nth(MOST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.into(),
+    }
+}
+
 /// For logs and assertions; people read [`SceneError::message`] in their language.
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -1,6 +1,6 @@
 //! A problem with the path to it, which grows from the inside out as the error travels up.
 
-use super::error::{Problem, SceneError};
+use super::error::{Problem, SceneError, shortened};
 use std::fmt::Write;
 
 /// One step down into a document.
@@ -12,7 +12,7 @@ pub(super) enum Step {
 
 impl From<&str> for Step {
     fn from(field: &str) -> Self {
-        Self::Field(field.into())
+        Self::Field(shortened(field))
     }
 }
 

@@ -5,7 +5,7 @@
 //! that round to an infinite binary32 are refused here, where their path is known.
 
 use super::{
-    error::{Kind, Problem},
+    error::{Kind, Problem, shortened},
     path::FieldError,
 };
 use serde::{
@@ -222,7 +222,7 @@ impl de::Error for FieldError {
     }
 
     fn unknown_variant(name: &str, known: &'static [&'static str]) -> Self {
-        Self::here(Problem::UnknownName { name: name.into(), known: known.to_vec() })
+        Self::here(Problem::UnknownName { name: shortened(name), known: known.to_vec() })
     }
 
     fn unknown_field(field: &str, known: &'static [&'static str]) -> Self {

@@ -1,11 +1,17 @@
-//! Draws two lab pictures by hand in every theme, to be looked at:
+//! Draws hand-made marks in every theme and the labs of all presets, to be looked at:
 //! `cargo run -p rasterscope-figure --example gallery -- FOLDER`.
 
-use std::{fs, path::PathBuf};
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
 
 use rasterscope_core::{
     explain::{Grid, Label, Mark, Role, View},
+    labs,
     message::Value,
+    replay::Budget,
+    scene::{self, PRESETS, Scene},
 };
 use rasterscope_figure::{
     layout::{self, Placement},
@@ -29,6 +35,25 @@ fn main() -> std::io::Result<()> {
             let path = folder.join(format!("{name}-{}", theme.name()));
             fs::write(path.with_extension("png"), png::png(&figure, 1.0))?;
             fs::write(path.with_extension("svg"), svg::svg(&figure))?;
+        }
+    }
+    presets(&folder, &words)
+}
+
+/// The middle and the end of the run of every preset that names a lab.
+fn presets(folder: &Path, words: &Words) -> std::io::Result<()> {
+    let mut load = |file: &str| scene::model(file).map(<[u8]>::to_vec).ok_or_else(|| file.to_owned());
+    for preset in PRESETS {
+        let scene = Scene::from_json(preset.json.as_bytes()).and_then(|scene| scene.resolve(&mut load));
+        let run = scene.map(|scene| labs::play(&scene, Budget::default()));
+        let Ok(Ok(mut run)) = run else { continue };
+        for (part, theme) in [(2, ThemeName::Dark), (1, ThemeName::Light), (3, ThemeName::Projector)] {
+            run.seek(run.len() / part);
+            let view = run.view();
+            let placement = Placement::fit(&view, SIZE, 12.0);
+            let figure = layout::draw(&run.marks(), &view, &placement, SIZE, theme.theme(), words);
+            let name = format!("{}-{}-{}.png", run.name(), preset.name, theme.name());
+            fs::write(folder.join(name), png::png(&figure, 1.0))?;
         }
     }
     Ok(())

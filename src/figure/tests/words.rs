@@ -6,7 +6,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use rasterscope_core::labs;
+use rasterscope_core::{labs, raster};
 use rasterscope_figure::{
     figure::Font,
     text,
@@ -43,7 +43,8 @@ fn literals() -> BTreeMap<String, PathBuf> {
         });
         if !aside {
             let source = fs::read_to_string(&path).unwrap();
-            all.extend(strings(&source).into_iter().map(|literal| (literal, path.clone())));
+            let path = path.strip_prefix(root()).unwrap_or(&path);
+            all.extend(strings(&source).into_iter().map(|literal| (literal, path.to_owned())));
         }
     }
     all
@@ -119,11 +120,17 @@ fn no_message_is_missing() {
     assert!(missing.is_empty(), "used in code, but in no language file: {missing:#?}");
 }
 
+/// Everything whose title is its name and whose sentence is `NAME-about`.
+fn named() -> Vec<&'static str> {
+    let labs = labs::ALL.iter().map(|lab| lab.name);
+    labs.chain(raster::Algorithm::ALL.map(raster::Algorithm::name)).collect()
+}
+
 #[test]
 fn presets_and_labs_have_their_words() {
     let words = Words::default();
-    for lab in labs::ALL {
-        assert!(words.has(lab.name) && words.has(&format!("{}-about", lab.name)), "{}", lab.name);
+    for name in named() {
+        assert!(words.has(name) && words.has(&format!("{name}-about")), "{name}");
     }
     for path in files(&root().join("assets/scenes"), "json") {
         let scene = fs::read_to_string(&path).unwrap();
@@ -141,7 +148,7 @@ fn no_message_is_unused() {
         .map(|path| fs::read_to_string(path).unwrap())
         .collect();
     let sources: String = LANGUAGES[0].files.iter().map(|(_, source)| *source).collect();
-    let of_lab = |id: &str| labs::ALL.iter().any(|lab| id.strip_suffix("-about").unwrap_or(id) == lab.name);
+    let of_lab = |id: &str| named().contains(&id.strip_suffix("-about").unwrap_or(id));
     let unused: Vec<_> = Words::default()
         .ids()
         .into_iter()

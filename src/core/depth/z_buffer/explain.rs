@@ -27,7 +27,7 @@ struct Fragment {
 }
 
 /// What the user sees between two events: the fold of the events so far.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Snapshot {
     triangles: Arc<[Triangle]>,
     settings: Settings,
@@ -93,6 +93,27 @@ fn object_name(triangle: Option<u32>) -> Value {
     }
 }
 
+impl Clone for Snapshot {
+    fn clone(&self) -> Self {
+        Self {
+            triangles: Arc::clone(&self.triangles),
+            image: self.image.clone(),
+            verdicts: self.verdicts.clone(),
+            counts: self.counts.clone(),
+            ..*self
+        }
+    }
+
+    /// Into the memory that is there: a seek starts with this.
+    fn clone_from(&mut self, from: &Self) {
+        self.image.clone_from(&from.image);
+        self.verdicts.clone_from(&from.verdicts);
+        self.counts.clone_from(&from.counts);
+        let Self { settings, triangle, y, fragment, .. } = *from;
+        (self.settings, self.triangle, self.y, self.fragment) = (settings, triangle, y, fragment);
+    }
+}
+
 impl State for Snapshot {
     type Event = Event;
 
@@ -126,8 +147,10 @@ impl State for Snapshot {
     }
 
     fn size_hint(&self) -> usize {
-        let pixel = size_of::<u32>() + size_of::<Option<u32>>() + size_of::<([u16; 2], bool)>();
-        size_of::<Self>() + self.image.owners.len() * pixel + self.triangles.len() * size_of::<[u32; 2]>()
+        let pixel = 2 * size_of::<u32>() + size_of::<([u16; 2], bool)>();
+        size_of::<Self>()
+            + self.image.depth.codes().len() * pixel
+            + self.triangles.len() * size_of::<[u32; 2]>()
     }
 }
 
@@ -345,7 +368,7 @@ impl Snapshot {
     /// What every pixel holds; a tick or a cross where the triangle was tested.
     fn mark_cells(&self, out: &mut Vec<Mark>) {
         let [width, height] = self.settings.raster.size;
-        let shows_clear = self.image.owners.len() <= SHOWS_CLEAR;
+        let shows_clear = self.image.depth.codes().len() <= SHOWS_CLEAR;
         for y in 0..height {
             for x in 0..width {
                 let owned = self.image.owner([x, y]).is_some();

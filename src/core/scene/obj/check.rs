@@ -4,6 +4,7 @@
 //! by its length, before its words are looked at.
 
 use super::{
+    super::error::shortened as shortened_text,
     error::{ObjError, ObjProblem},
     statements::{Statement, Statements},
 };
@@ -208,10 +209,5 @@ fn count(
 
 /// The beginning of a word, for a message.
 fn shortened(word: &[u8]) -> String {
-    const MOST: usize = 24;
-    let text = String::from_utf8_lossy(&word[..word.len().min(4 * MOST)]);
-    match text.char_indices().nth(MOST) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.into_owned(),
-    }
+    shortened_text(&String::from_utf8_lossy(&word[..word.len().min(256)]))
 }

@@ -2,7 +2,7 @@
 
 use super::super::{
     document::{Lab, LabInput},
-    error::Problem,
+    error::{Problem, shortened},
     path::FieldError,
 };
 use crate::math::Arithmetic;
@@ -95,7 +95,7 @@ impl LabWire {
         match &self.algorithm {
             Some(name) if name != algorithm => {
                 let known = vec![algorithm];
-                Err(FieldError::at("algorithm", Problem::UnknownName { name: name.clone(), known }))
+                Err(FieldError::at("algorithm", Problem::UnknownName { name: shortened(name), known }))
             }
             _ => Ok(()),
         }

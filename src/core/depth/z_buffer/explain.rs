@@ -11,15 +11,6 @@ use crate::{
 /// Images up to this many pixels show empty pixels with their clear value.
 const SHOWS_CLEAR: usize = 1024;
 
-/// A, B, C, ... as on the canvas; a number behind Z; a dash for what is empty.
-fn object_name(triangle: Option<u32>) -> Value {
-    match triangle {
-        None => Value::None,
-        Some(index @ 0..26) => Value::text(char::from(b'A' + index as u8)),
-        Some(index) => Value::from(index),
-    }
-}
-
 impl Explain for Snapshot {
     const NAME: &'static str = "z-buffer";
 
@@ -80,7 +71,7 @@ impl Explain for Snapshot {
                     .with("new", self.depth(fragment.code))
                     .with("stored", self.depth(fragment.stored))
                     .with("sign", Value::text(self.relation(&fragment)))
-                    .with("before", object_name(fragment.owner))
+                    .with("before", self.name_of(fragment.owner))
             }
             Event::Done { passed: 0, failed: 0 } => message("z-buffer-done-empty"),
             Event::Done { passed, failed } => {
@@ -117,10 +108,7 @@ impl Explain for Snapshot {
             out.push(Table { title: "z-buffer-bits", columns: vec!["column-bits"], rows });
         }
         let rows = self.counts.iter().zip(0..).map(|([passed, failed], index)| {
-            let name = match object_name(Some(index)) {
-                Value::Text(name) => name,
-                _ => index.to_string(),
-            };
+            let name = &self.names[index as usize].text;
             Row::new(name, vec![(passed + failed).into(), (*passed).into(), (*failed).into()])
                 .active(self.triangle == Some(index))
         });
@@ -137,7 +125,7 @@ impl Explain for Snapshot {
             let points = triangle.map(|[x, y, _]| [x, y]);
             let role = if self.triangle == Some(index) { Role::Neutral } else { Role::Candidate };
             out.push(Mark::Polygon { points: points.to_vec(), role, object: None, label: None });
-            let label = Some(Label::new("", object_name(Some(index))));
+            let label = Some(Label::name(&self.names[index as usize].text));
             out.push(Mark::Point { at: points[0], role: Role::Neutral, label });
         }
         if let Some(fragment) = self.fragment {
@@ -159,9 +147,14 @@ impl Snapshot {
         }
     }
 
-    /// The letter of the triangle being drawn.
+    /// The name of the triangle being drawn.
     fn name(&self) -> Value {
-        object_name(self.triangle)
+        self.name_of(self.triangle)
+    }
+
+    /// A triangle's name; none for what is empty.
+    fn name_of(&self, triangle: Option<u32>) -> Value {
+        triangle.map(|index| Value::text(&self.names[index as usize].text)).into()
     }
 
     fn sentence_id(&self, event: &Event, fragment: &Fragment) -> &'static str {
@@ -218,11 +211,13 @@ impl Snapshot {
             vec!["column-object", "column-depth", "column-hex"]
         };
         let Some(fragment) = self.fragment else {
-            return Table { title: "z-buffer-test", columns, rows: Vec::new() };
+            let rows =
+                ["stored", "new", "stored′"].map(|name| Row::new(name, vec![Value::None; columns.len()]));
+            return Table { title: "z-buffer-test", columns, rows: rows.to_vec() };
         };
         let pixel = [fragment.x, self.y];
         let row = |name: &str, owner: Option<u32>, code: u32| {
-            let mut cells = vec![object_name(owner), self.depth(code)];
+            let mut cells = vec![self.name_of(owner), self.depth(code)];
             if unorm {
                 cells.push(Value::text(code)); // a code, not a count: digits in one group
             }
@@ -247,7 +242,7 @@ impl Snapshot {
             Value::F64(depth) => Value::F32(depth as f32),
             other => other,
         };
-        let object = self.image.owner(pixel).map(|owner| owner as usize);
+        let object = self.image.owner(pixel).map(|owner| self.names[owner as usize].object);
         Mark::Pixel { at: pixel.map(|n| n as i32), role, object, value }
     }
 

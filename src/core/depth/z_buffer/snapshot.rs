@@ -1,7 +1,7 @@
 //! What a z-buffer run has done so far.
 
-use super::{Event, Image, Settings, Triangle};
-use crate::replay::State;
+use super::{Event, Image, Name, Settings, Triangle};
+use crate::{pipeline::letter, replay::State};
 use std::sync::Arc;
 
 /// A fragment on its way through the test.
@@ -21,6 +21,8 @@ pub(super) struct Fragment {
 #[derive(Debug, PartialEq)]
 pub struct Snapshot {
     pub(super) triangles: Arc<[Triangle]>,
+    /// One for each triangle.
+    pub(super) names: Arc<[Name]>,
     pub(super) settings: Settings,
     pub(super) image: Image,
     /// The triangle being drawn, or the last one.
@@ -35,9 +37,12 @@ pub struct Snapshot {
 
 impl Snapshot {
     /// Before the first event.
-    pub fn new(triangles: &[Triangle], settings: Settings) -> Self {
+    pub fn new(triangles: &[Triangle], mut names: Vec<Name>, settings: Settings) -> Self {
+        names.truncate(triangles.len());
+        names.extend((names.len()..triangles.len()).map(|object| Name { text: letter(object), object }));
         Self {
             triangles: triangles.into(),
+            names: names.into(),
             settings,
             image: settings.empty(),
             triangle: None,
@@ -67,6 +72,7 @@ impl Clone for Snapshot {
     fn clone(&self) -> Self {
         Self {
             triangles: Arc::clone(&self.triangles),
+            names: Arc::clone(&self.names),
             image: self.image.clone(),
             verdicts: self.verdicts.clone(),
             counts: self.counts.clone(),

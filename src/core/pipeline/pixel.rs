@@ -192,7 +192,7 @@ impl Probe {
             pieces = rest;
             let clip = indices.map(|i| stages.clip()[i as usize]);
             let push = |probe: &mut Self, part: Option<u32>, outcome: Outcome| {
-                let name = triangle_name((index as usize, draw), triangle, part);
+                let name = triangle_name((index, draw), triangle, part);
                 probe.entries.push(PixelEntry { name, draw: index, triangle: Some(triangle), outcome });
             };
             match self.before_screen(clip, draw, stages, triangle) {

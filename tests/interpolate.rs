@@ -6,6 +6,7 @@ use rasterscope_core::{
     interpolate::{InterpolateError, Interpolator, Mode, interpolate, unorm},
     math::{Arithmetic, Dyadic, Sign, Tally, orient2d},
 };
+use rasterscope_figure::words::Words;
 
 fn dot(weights: &[Dyadic; 3], values: [f32; 3]) -> Dyadic {
     let [a, b, c] = values.map(Dyadic::from);
@@ -127,6 +128,14 @@ fn refusals_name_their_reason() {
     assert_eq!(get(with_w([1.0, 0.0, 1.0]), [1.0, 1.0]), Err(InterpolateError::ZeroW));
     assert_eq!(get(with_w([1.0, -1.0, 1.0]), [2.0, 0.0]), Err(InterpolateError::Infinite));
     assert_eq!(get(with_w([1.0, 2.0, 4.0]), [2.0, 2.0]), Ok(7.0 / 3.0));
+    for error in [
+        InterpolateError::ZeroArea,
+        InterpolateError::Outside,
+        InterpolateError::ZeroW,
+        InterpolateError::Infinite,
+    ] {
+        assert!(Words::default().try_message(&error.message()).is_ok(), "{error:?} has no words");
+    }
 }
 
 #[test]

@@ -36,7 +36,7 @@ impl Explain for Sum {
     }
 
     fn marker(event: &u32) -> Option<Marker> {
-        (event % 1000 == 0).then_some(Marker { role: Role::Neutral, label: None })
+        event.is_multiple_of(1000).then_some(Marker { role: Role::Neutral, label: None })
     }
 
     fn opening(&self) -> Message {

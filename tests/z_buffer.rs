@@ -65,14 +65,14 @@ fn zero_area_draws_nothing() {
 #[test]
 fn pass_step_says_before_arrives_and_after() {
     let settings = Settings { format: DepthFormat::Unorm16, ..Settings::new([8, 7]) };
-    let mut player = z_buffer::play(vec![A, B], settings, Budget::default());
+    let mut player = z_buffer::play(vec![A, B], Vec::new(), settings, Budget::default());
     player.seek(player.len());
     while player.sentence().args[1..3] != [("x", Value::Int(4)), ("y", Value::Int(4))] {
         player.back(Level::Detail);
     }
     assert_eq!(player.sentence().id, "z-buffer-pass-nearer");
     let codes: Vec<_> = player.tables()[0].rows.iter().map(|row| row.cells[2].clone()).collect();
-    assert_eq!(codes, [38689, 33961, 33961].map(Value::Int));
+    assert_eq!(codes, [38689, 33961, 33961].map(Value::text));
 }
 
 /// The least exact depth of all triangles that cover a pixel, rounded to the format.
@@ -138,7 +138,7 @@ fn keeps_the_laws() {
         check_laws(
             (&fast, &traced),
             &events,
-            |budget| z_buffer::play(triangles.clone(), settings, budget),
+            |budget| z_buffer::play(triangles.clone(), Vec::new(), settings, budget),
             |state: &Snapshot| state.result().clone(),
             &mut coverage,
         );

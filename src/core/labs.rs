@@ -6,7 +6,7 @@ use crate::{
     clip::line::{Window, cohen_sutherland},
     depth::{DepthState, z_buffer},
     message::{Message, Value},
-    pipeline::screen_triangles,
+    pipeline::{screen_triangles, triangle_name},
     raster::{self, scanline},
     replay::{Budget, Playback},
     scene::{LabInput, Scene},
@@ -137,7 +137,7 @@ pub fn play(scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message>
         }
         LabInput::ZBuffer { triangles: Some(triangles) } => {
             let settings = depth_settings(scene, DepthState::default());
-            Ok(Box::new(z_buffer::play(triangles.clone(), settings, budget)))
+            Ok(Box::new(z_buffer::play(triangles.clone(), Vec::new(), settings, budget)))
         }
         LabInput::ZBuffer { triangles: None } => play_depth_of(scene, budget),
         LabInput::Transform { draw, vertex } => {
@@ -149,8 +149,11 @@ pub fn play(scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message>
         LabInput::Pipeline => {
             let [width, height] = scene.size.map(u64::from);
             let plain = scene.draws.iter().all(|draw| draw.stencil.is_none() && draw.blend.is_none());
-            if !plain || width * height > MOST_PIXELS {
-                return Err(nothing());
+            if !plain {
+                return Err(Message::new("error-steps-without-stencil"));
+            }
+            if width * height > MOST_PIXELS {
+                return Err(Message::new("error-too-large-to-step").with("most", 256));
             }
             play_depth_of(scene, budget)
         }
@@ -164,8 +167,17 @@ fn play_depth_of(scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Mes
     if states.any(|other| other != state) {
         return Err(Message::new("error-mixed-depth-states"));
     }
-    let triangles = screen_triangles(scene).iter().map(|triangle| triangle.vertices).collect();
-    Ok(Box::new(z_buffer::play(triangles, depth_settings(scene, state), budget)))
+    let triangles = screen_triangles(scene);
+    let names = triangles.iter().enumerate().map(|(i, piece)| {
+        // The parts of a triangle follow each other.
+        let cut = piece.part > 0 || triangles.get(i + 1).is_some_and(|next| next.part > 0);
+        let object = piece.draw as usize;
+        let of = (object, &scene.draws[object]);
+        z_buffer::Name { text: triangle_name(of, piece.triangle, cut.then_some(piece.part)), object }
+    });
+    let names = names.collect();
+    let triangles = triangles.iter().map(|triangle| triangle.vertices).collect();
+    Ok(Box::new(z_buffer::play(triangles, names, depth_settings(scene, state), budget)))
 }
 
 /// The scene's conventions of scan conversion.

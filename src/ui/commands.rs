@@ -128,10 +128,14 @@ impl App {
         }
     }
 
-    /// Opens a scene or a model. If that fails the document stays as it is.
+    /// Opens a scene or a model, or the preset of that name where there is no such file. If that
+    /// fails the document stays as it is.
     pub fn open(&mut self, path: &str, platform: &mut dyn Platform) {
-        let opened = platform
-            .read(path)
+        let read = platform.read(path);
+        if let (Err(_), Some(preset)) = (&read, scene::preset(path)) {
+            return self.open_preset(preset.name);
+        }
+        let opened = read
             .map_err(|error| unreadable("ui-error-read", path, &error))
             .and_then(|bytes| files::open(path, &bytes, &mut |file| platform.read(file).ok()));
         match opened {

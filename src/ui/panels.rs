@@ -93,6 +93,7 @@ impl App {
                 });
         }
         let width = match (narrow, look.projector()) {
+            (false, false) if name == "transform" => 400.0,
             (true, true) => 372.0,
             (true, false) => 340.0,
             (false, true) => 400.0,

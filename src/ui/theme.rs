@@ -74,6 +74,8 @@ pub(crate) enum Text {
     Count,
     /// The smallest allowed.
     Small,
+    /// Numbers where many have to stand side by side.
+    SmallMono,
 }
 
 impl Look {
@@ -125,6 +127,7 @@ impl Look {
             Text::Counter => (sizes.counter, Font::MonoBold),
             Text::Count => (sizes.sentence, Font::SansBold),
             Text::Small => (sizes.smallest, Font::Sans),
+            Text::SmallMono => (sizes.smallest, Font::Mono),
         };
         FontId::new(size, family(font))
     }
@@ -175,6 +178,7 @@ impl Look {
             (TextStyle::Button, Text::Label),
             (TextStyle::Monospace, Text::Mono),
             (TextStyle::Small, Text::Small),
+            (small_mono(), Text::SmallMono),
         ]
         .map(|(name, text)| (name, self.font(text)))
         .into();
@@ -237,6 +241,11 @@ impl Look {
         visuals.text_cursor.stroke = Stroke::new(2.0, self.text);
         visuals
     }
+}
+
+/// The name under which egui knows [`Text::SmallMono`].
+pub(crate) fn small_mono() -> TextStyle {
+    TextStyle::Name("small-mono".into())
 }
 
 /// The family that holds one of the figure crate's fonts.

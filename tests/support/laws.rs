@@ -2,9 +2,11 @@
 
 use rasterscope_core::{
     explain::{Explain, Level},
+    message::Message,
     replay::{Budget, Playback, Player},
 };
-use std::fmt::Debug;
+use rasterscope_figure::words::Words;
+use std::{fmt::Debug, sync::LazyLock};
 
 /// Which listing lines a corpus has reached.
 #[derive(Default)]
@@ -55,7 +57,7 @@ pub(crate) fn check_laws<S, R>(
         coverage.0[line] = true;
         explains(state, event);
     }
-    assert!(!states[0].opening().id.is_empty());
+    says(&states[0].opening());
 }
 
 /// Law 3: any seek in any order, also under a tight budget, equals the plain fold.
@@ -94,15 +96,33 @@ where
 /// Every step says something, and the same parts of it have the same shape.
 #[track_caller]
 fn explains<S: Explain>(state: &S, event: &S::Event) {
-    assert!(state.sentence(event).id.starts_with(S::NAME), "4: {event:?} has no sentence of its own");
+    let sentence = state.sentence(event);
+    assert!(sentence.id.starts_with(S::NAME), "4: {event:?} has no sentence of its own");
+    says(&sentence);
+    if let Some(label) = S::marker(event).and_then(|marker| marker.label) {
+        says(&Message::new(label));
+    }
     let (mut tables, mut marks, mut formulas) = (Vec::new(), Vec::new(), Vec::new());
     state.tables(&mut tables);
     state.marks(Some(event), &mut marks);
     state.formulas(event, &mut formulas);
     assert!(!marks.is_empty(), "4: nothing is drawn after {event:?}");
     for table in &tables {
+        says(&Message::new(table.title));
+        for column in table.columns.iter().filter(|column| column.starts_with("column-")) {
+            says(&Message::new(column));
+        }
         for row in &table.rows {
             assert_eq!(row.cells.len(), table.columns.len(), "4: row {} of {}", row.name, table.title);
         }
+    }
+}
+
+/// The language files have the message, and it gets every value that it uses.
+#[track_caller]
+fn says(message: &Message) {
+    static WORDS: LazyLock<Words> = LazyLock::new(Words::default);
+    if let Err(what) = WORDS.try_message(message) {
+        panic!("4: {what}");
     }
 }

@@ -64,6 +64,20 @@ impl CompareFunction {
         Self::ALL.into_iter().find(|compare| compare.name() == name)
     }
 
+    /// The function that passes exactly where this one fails.
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::Never => Self::Always,
+            Self::Less => Self::GreaterEqual,
+            Self::Equal => Self::NotEqual,
+            Self::LessEqual => Self::Greater,
+            Self::Greater => Self::LessEqual,
+            Self::NotEqual => Self::Equal,
+            Self::GreaterEqual => Self::Less,
+            Self::Always => Self::Never,
+        }
+    }
+
     /// Its sign between the new and the stored value, such as `<`; empty for never and always.
     pub fn sign(self) -> &'static str {
         match self {

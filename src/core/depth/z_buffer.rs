@@ -5,8 +5,9 @@
 //! the exact plane value, not a sum of increments.
 
 mod explain;
+mod snapshot;
 
-pub use explain::Snapshot;
+pub use snapshot::Snapshot;
 
 use super::{DepthBuffer, DepthFormat, DepthPlane, DepthState};
 use crate::{
@@ -19,6 +20,15 @@ use serde::Serialize;
 
 /// A triangle with a depth: x and y in pixels, z in the depth range; finite.
 pub type Triangle = [[f32; 3]; 3];
+
+/// What a triangle is called, and which object's fill it wears.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Name {
+    /// As on the canvas.
+    pub text: String,
+    /// Index of the object, from 0.
+    pub object: usize,
+}
 
 /// The conventions of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,9 +147,14 @@ pub fn draw(triangles: &[Triangle], settings: &Settings) -> Image {
     draw_traced(triangles, settings, &mut Tally::default(), &mut NoTrace)
 }
 
-/// [`draw`] as a run that can be scrubbed.
-pub fn play(triangles: Vec<Triangle>, settings: Settings, budget: Budget) -> Player<Snapshot> {
-    let snapshot = Snapshot::new(&triangles, settings);
+/// [`draw`] as a run that can be scrubbed. Triangles without a name are called A, B, C, ...
+pub fn play(
+    triangles: Vec<Triangle>,
+    names: Vec<Name>,
+    settings: Settings,
+    budget: Budget,
+) -> Player<Snapshot> {
+    let snapshot = Snapshot::new(&triangles, names, settings);
     Player::new(snapshot, budget, move |t| {
         draw_traced(&triangles, &settings, &mut Tally::default(), t);
     })

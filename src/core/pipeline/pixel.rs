@@ -8,6 +8,7 @@ use super::{
     DrawOutputs, Outputs, Piece, Skips,
     evaluate::Pipeline,
     fragments::{FragmentState, ImageState, Paint},
+    names::triangle_name,
     shader::Shader,
     stages::{Clipped, Point},
 };
@@ -191,10 +192,7 @@ impl Probe {
             pieces = rest;
             let clip = indices.map(|i| stages.clip()[i as usize]);
             let push = |probe: &mut Self, part: Option<u32>, outcome: Outcome| {
-                let number =
-                    if mesh.triangles.len() > 1 { format!(" {}", triangle + 1) } else { String::new() };
-                let part = part.map(|part| format!(".{}", part + 1)).unwrap_or_default();
-                let name = format!("{}{number}{part}", draw.name);
+                let name = triangle_name((index, draw), triangle, part);
                 probe.entries.push(PixelEntry { name, draw: index, triangle: Some(triangle), outcome });
             };
             match self.before_screen(clip, draw, stages, triangle) {

@@ -18,7 +18,8 @@ pub(super) fn first_orbit(outputs: &Outputs, scene: &Scene) -> Orbit {
     for draw in &outputs.draws {
         points.extend(draw.world().iter().map(|[x, y, z, _]| [*x, *y, *z]));
     }
-    Orbit::framing(&points, 0.9, 0.35)
+    // The sphere round everything leaves much room at the sides.
+    Orbit::framing(&points, 0.9, 0.3).nearer(1.25)
 }
 
 fn frustum(outputs: &Outputs, scene: &Scene) -> Option<[[f32; 3]; 8]> {
@@ -40,7 +41,9 @@ pub(super) fn marks(outputs: &Outputs, scene: &Scene, orbit: &Orbit) -> Vec<Mark
     if let Some(corners) = frustum(outputs, scene) {
         for [a, b] in FRUSTUM_EDGES {
             if let Some(ends) = orbit.segment(corners[a], corners[b]) {
-                marks.push(Mark::Segment { ends, role: Role::Candidate, label: None });
+                let near = a < 4 && b < 4;
+                let role = if near { Role::Neutral } else { Role::Candidate };
+                marks.push(Mark::Segment { ends, role, label: None });
             }
         }
         for (corner, name) in [(3, "near"), (7, "far")] {

@@ -6,7 +6,7 @@ use crate::{
     labs::Lab,
     presets::PresetInfo,
     shell::Frame,
-    theme::Text,
+    theme::{Text, small_mono},
     widgets::{down, heading, row, text_in},
 };
 use egui::{Align2, ComboBox, DragValue, Rect, ScrollArea, Ui, pos2, vec2};
@@ -137,11 +137,21 @@ pub(crate) fn snapping(ui: &mut Ui, face: &Face<'_>, view: &mut ViewState) {
 /// A row of numbers that can be typed or dragged; `names` are their accessible names.
 pub(crate) fn fields<const N: usize>(ui: &mut Ui, face: &Face<'_>, label: &str, values: [&mut f32; N]) {
     ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 6.0;
-        let wide = if face.look.projector() { 44.0 } else { 34.0 };
+        let many = N > 2;
+        ui.spacing_mut().item_spacing.x = if many { 3.0 } else { 6.0 };
+        if many {
+            ui.spacing_mut().button_padding.x = 3.0;
+            ui.style_mut().drag_value_text_style = small_mono();
+        }
+        let wide = match (face.look.projector(), many) {
+            (true, _) => 44.0,
+            (false, true) => 24.0,
+            (false, false) => 34.0,
+        };
         let (rect, _) = ui.allocate_exact_size(vec2(wide, face.look.button_height()), egui::Sense::hover());
         text_in(ui.painter(), rect, Align2::LEFT_CENTER, label, face.look.font(Text::Mono), face.look.text);
-        let width = (ui.available_width() - 6.0 * (N as f32 - 1.0)) / N as f32;
+        let gap = ui.spacing().item_spacing.x;
+        let width = (ui.available_width() - gap * (N as f32 - 1.0)) / N as f32;
         for (value, axis) in values.into_iter().zip(["x", "y", "z"]) {
             let name = format!("{label} {axis}");
             number(ui, face, width, &name, value);

@@ -4,8 +4,9 @@ use crate::{
     face::{Command, Face},
     paint,
     theme::Text,
+    widgets::text_in,
 };
-use egui::{Key, Rect, TextEdit, Ui, vec2};
+use egui::{Align2, Key, Rect, Role as Part, Sense, TextEdit, Ui, WidgetInfo, vec2};
 use rasterscope_core::explain::Role;
 
 /// What lies under the ribbon.
@@ -44,20 +45,23 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, notice: &mut Notice) {
     ui.horizontal_centered(|ui| {
         ui.add_space(14.0);
         if let Some(role) = bar {
-            let (at, _) = ui.allocate_exact_size(vec2(14.0, 14.0), egui::Sense::hover());
+            let (at, _) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());
             paint::marker(ui.painter(), at.center(), role, 11.0, face.look);
         }
         match notice {
             Notice::Failed(text) | Notice::Done(text) => {
-                let button = 110.0;
-                let room = ui.available_width() - button;
-                ui.add_sized(
-                    vec2(room, 20.0),
-                    egui::Label::new(face.rich(text.as_str(), Text::Body))
-                        .truncate()
-                        .halign(egui::Align::Min),
-                )
-                .on_hover_text(text.as_str());
+                let room = vec2(ui.available_width() - 110.0, face.look.button_height());
+                let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
+                response.widget_info(|| WidgetInfo::labeled(Part::Label, true, text.as_str()));
+                text_in(
+                    ui.painter(),
+                    rect,
+                    Align2::LEFT_CENTER,
+                    text,
+                    face.look.font(Text::Body),
+                    face.look.text,
+                );
+                response.on_hover_text(text.as_str());
                 if ui.button(face.say("ui-dismiss")).clicked() {
                     face.ask(Command::Dismiss);
                 }

@@ -127,7 +127,10 @@ fn scrub(ui: &mut Ui, face: &Face<'_>, bar: Rect, shown: &Shown) {
 fn markers(painter: &Painter, face: &Face<'_>, bar: Rect, shown: &Shown, x_of: impl Fn(usize) -> f32) {
     let y = bar.top() - 13.0;
     let mut last: Vec<(Role, f32)> = Vec::new();
-    for (step, marker) in &shown.markers {
+    // In a long run what passed is the rule; marks are for what did not.
+    let calm = shown.len > MOST_TICKS;
+    let worth = |marker: &Marker| !(calm && marker.role == Role::Accepted && marker.label.is_none());
+    for (step, marker) in shown.markers.iter().filter(|(_, marker)| worth(marker)) {
         let x = x_of(*step);
         let near = last.iter_mut().find(|(role, _)| *role == marker.role);
         match near {
@@ -179,16 +182,15 @@ fn labels(painter: &Painter, face: &Face<'_>, bar: Rect, shown: &Shown, x_of: im
 fn settings(ui: &mut Ui, face: &Face<'_>, rect: Rect, shown: Option<&Shown>, view: &ViewState) {
     let look = face.look;
     let (cursor, len) = shown.map_or((0, 0), |s| (s.cursor, s.len));
-    let at = rect.left_top() + vec2(0.0, 19.0);
+    let at = rect.left_top() + vec2(0.0, if look.projector() { 17.0 } else { 19.0 });
     let end = counter(ui.painter(), face, at, &cursor.to_string(), Text::Counter, look.text);
     counter(ui.painter(), face, pos2(end + 8.0, at.y), &format!("/ {len}"), Text::Mono, look.dim);
-    let row = Rect::from_min_max(
-        pos2(rect.left(), rect.bottom() - 31.0),
-        pos2(rect.right() - 12.0, rect.bottom() - 5.0),
-    );
+    let height = look.button_height() - 2.0;
+    let row = Rect::from_min_max(pos2(rect.left(), rect.bottom() - height - 6.0), rect.max - vec2(12.0, 6.0));
     ui.scope_builder(egui::UiBuilder::new().max_rect(row), |ui| {
         ui.horizontal(|ui| {
-            ui.spacing_mut().interact_size.y = 24.0;
+            ui.spacing_mut().interact_size.y = height;
+            ui.spacing_mut().button_padding.y = 1.0;
             let level = |level| match level {
                 Level::Primitive => "ui-level-primitive",
                 Level::Row => "ui-level-row",

@@ -1,158 +1,15 @@
 //! What the lab shows of a z-buffer run.
 
-use super::{Event, Image, Settings, Triangle};
+use super::{Event, Snapshot, snapshot::Fragment};
 use crate::{
     depth::{CompareFunction, DepthFormat},
     explain::{Explain, Formula, Label, Level, Mark, Marker, Piece, Role, Row, Table, View},
     message::{Message, Value},
     raster::view::view_of,
-    replay::State,
 };
-use std::sync::Arc;
 
 /// Images up to this many pixels show empty pixels with their clear value.
 const SHOWS_CLEAR: usize = 1024;
-
-/// A fragment on its way through the test.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Fragment {
-    x: u32,
-    z: f32,
-    code: u32,
-    /// The code and the owner that its pixel held.
-    stored: u32,
-    owner: Option<u32>,
-    /// The verdict.
-    passed: Option<bool>,
-}
-
-/// What the user sees between two events: the fold of the events so far.
-#[derive(Debug, PartialEq)]
-pub struct Snapshot {
-    triangles: Arc<[Triangle]>,
-    settings: Settings,
-    image: Image,
-    /// The triangle being drawn, or the last one.
-    triangle: Option<u32>,
-    y: u32,
-    fragment: Option<Fragment>,
-    /// Pixels that the triangle was tested at, and the verdicts.
-    verdicts: Vec<([u16; 2], bool)>,
-    /// Passed and failed fragments of each triangle begun.
-    counts: Vec<[u32; 2]>,
-}
-
-impl Snapshot {
-    /// Before the first event.
-    pub fn new(triangles: &[Triangle], settings: Settings) -> Self {
-        Self {
-            triangles: triangles.into(),
-            settings,
-            image: settings.empty(),
-            triangle: None,
-            y: 0,
-            fragment: None,
-            verdicts: Vec::new(),
-            counts: Vec::new(),
-        }
-    }
-
-    /// What has been drawn so far.
-    pub fn result(&self) -> &Image {
-        &self.image
-    }
-
-    fn verdict(&mut self, passed: bool) {
-        let Some(fragment) = &mut self.fragment else { return };
-        fragment.passed = Some(passed);
-        self.verdicts.push(([fragment.x as u16, self.y as u16], passed));
-        if let Some([passes, fails]) = self.counts.last_mut() {
-            *(if passed { passes } else { fails }) += 1;
-        }
-    }
-
-    fn depth(&self, code: u32) -> Value {
-        match self.settings.format {
-            DepthFormat::F32 => f32::from_bits(code).into(),
-            format => format.decode(code).into(),
-        }
-    }
-
-    /// The letter of the triangle being drawn.
-    fn name(&self) -> Value {
-        object_name(self.triangle)
-    }
-}
-
-/// A, B, C, ... as on the canvas; a number behind Z; a dash for what is empty.
-fn object_name(triangle: Option<u32>) -> Value {
-    match triangle {
-        None => Value::None,
-        Some(index @ 0..26) => Value::text(char::from(b'A' + index as u8)),
-        Some(index) => Value::from(index),
-    }
-}
-
-impl Clone for Snapshot {
-    fn clone(&self) -> Self {
-        Self {
-            triangles: Arc::clone(&self.triangles),
-            image: self.image.clone(),
-            verdicts: self.verdicts.clone(),
-            counts: self.counts.clone(),
-            ..*self
-        }
-    }
-
-    /// Into the memory that is there: a seek starts with this.
-    fn clone_from(&mut self, from: &Self) {
-        self.image.clone_from(&from.image);
-        self.verdicts.clone_from(&from.verdicts);
-        self.counts.clone_from(&from.counts);
-        let Self { settings, triangle, y, fragment, .. } = *from;
-        (self.settings, self.triangle, self.y, self.fragment) = (settings, triangle, y, fragment);
-    }
-}
-
-impl State for Snapshot {
-    type Event = Event;
-
-    fn apply(&mut self, event: &Event) {
-        match *event {
-            Event::Triangle { index } => {
-                self.triangle = Some(index);
-                self.fragment = None;
-                self.verdicts.clear();
-                self.counts.push([0, 0]);
-            }
-            Event::Row { y, .. } => (self.y, self.fragment) = (y, None),
-            Event::Fragment { x, z, code, stored } => {
-                let x = u32::from(x);
-                let owner = self.image.owner([x, self.y]);
-                self.fragment = Some(Fragment { x, z, code, stored, owner, passed: None });
-            }
-            Event::Pass => {
-                self.verdict(true);
-                if let (Some(Fragment { x, code, .. }), Some(triangle)) = (self.fragment, self.triangle) {
-                    let state = self.settings.state;
-                    if state.test && state.write {
-                        self.image.depth.set([x, self.y], code);
-                    }
-                    self.image.show([x, self.y], triangle);
-                }
-            }
-            Event::Fail => self.verdict(false),
-            Event::Done { .. } => self.fragment = None,
-        }
-    }
-
-    fn size_hint(&self) -> usize {
-        let pixel = 2 * size_of::<u32>() + size_of::<([u16; 2], bool)>();
-        size_of::<Self>()
-            + self.image.depth.codes().len() * pixel
-            + self.triangles.len() * size_of::<[u32; 2]>()
-    }
-}
 
 impl Explain for Snapshot {
     const NAME: &'static str = "z-buffer";
@@ -213,8 +70,8 @@ impl Explain for Snapshot {
                     .with("y", self.y)
                     .with("new", self.depth(fragment.code))
                     .with("stored", self.depth(fragment.stored))
-                    .with("sign", Value::text(self.settings.state.compare.sign()))
-                    .with("before", object_name(fragment.owner))
+                    .with("sign", Value::text(self.relation(&fragment)))
+                    .with("before", self.name_of(fragment.owner))
             }
             Event::Done { passed: 0, failed: 0 } => message("z-buffer-done-empty"),
             Event::Done { passed, failed } => {
@@ -228,9 +85,11 @@ impl Explain for Snapshot {
         match event {
             Event::Fragment { .. } => out.extend(self.code_formula(&fragment)),
             Event::Pass | Event::Fail if self.settings.state.test => {
-                let Some((general, sign)) = comparison(self.settings.state.compare) else { return };
+                let Some(general) = test(self.settings.state.compare) else { return };
                 let [new, stored] = [fragment.code, fragment.stored].map(|code| self.depth(code));
-                let numbers = vec![Piece::Result(new), Piece::Text(sign), Piece::Number(stored)];
+                let sign = Piece::Text(self.relation(&fragment));
+                let space = || Piece::Text(" ");
+                let numbers = vec![Piece::Result(new), space(), sign, space(), Piece::Number(stored)];
                 out.push(Formula { general, numbers });
             }
             _ => {}
@@ -249,10 +108,7 @@ impl Explain for Snapshot {
             out.push(Table { title: "z-buffer-bits", columns: vec!["column-bits"], rows });
         }
         let rows = self.counts.iter().zip(0..).map(|([passed, failed], index)| {
-            let name = match object_name(Some(index)) {
-                Value::Text(name) => name,
-                _ => index.to_string(),
-            };
+            let name = &self.names[index as usize].text;
             Row::new(name, vec![(passed + failed).into(), (*passed).into(), (*failed).into()])
                 .active(self.triangle == Some(index))
         });
@@ -269,7 +125,7 @@ impl Explain for Snapshot {
             let points = triangle.map(|[x, y, _]| [x, y]);
             let role = if self.triangle == Some(index) { Role::Neutral } else { Role::Candidate };
             out.push(Mark::Polygon { points: points.to_vec(), role, object: None, label: None });
-            let label = Some(Label::new("", object_name(Some(index))));
+            let label = Some(Label::name(&self.names[index as usize].text));
             out.push(Mark::Point { at: points[0], role: Role::Neutral, label });
         }
         if let Some(fragment) = self.fragment {
@@ -284,6 +140,23 @@ impl Explain for Snapshot {
 }
 
 impl Snapshot {
+    fn depth(&self, code: u32) -> Value {
+        match self.settings.format {
+            DepthFormat::F32 => f32::from_bits(code).into(),
+            format => format.decode(code).into(),
+        }
+    }
+
+    /// The name of the triangle being drawn.
+    fn name(&self) -> Value {
+        self.name_of(self.triangle)
+    }
+
+    /// A triangle's name; none for what is empty.
+    fn name_of(&self, triangle: Option<u32>) -> Value {
+        triangle.map(|index| Value::text(&self.names[index as usize].text)).into()
+    }
+
     fn sentence_id(&self, event: &Event, fragment: &Fragment) -> &'static str {
         let state = self.settings.state;
         let empty = fragment.owner.is_none();
@@ -305,6 +178,12 @@ impl Snapshot {
         }
     }
 
+    /// How the fragment's depth stands to the stored one, as the verdict says.
+    fn relation(&self, fragment: &Fragment) -> &'static str {
+        let compare = self.settings.state.compare;
+        if fragment.passed == Some(false) { compare.opposite().sign() } else { compare.sign() }
+    }
+
     /// The code of the fragment's depth in a unorm format.
     fn code_formula(&self, fragment: &Fragment) -> Option<Formula> {
         let (general, scale) = match self.settings.format {
@@ -317,7 +196,7 @@ impl Snapshot {
             Piece::Text("= ⌊"),
             Piece::Number(fragment.z.into()),
             Piece::Text(scale),
-            Piece::Result(fragment.code.into()),
+            Piece::Result(Value::text(fragment.code)),
         ];
         Some(Formula { general, numbers })
     }
@@ -332,13 +211,15 @@ impl Snapshot {
             vec!["column-object", "column-depth", "column-hex"]
         };
         let Some(fragment) = self.fragment else {
-            return Table { title: "z-buffer-test", columns, rows: Vec::new() };
+            let rows =
+                ["stored", "new", "stored′"].map(|name| Row::new(name, vec![Value::None; columns.len()]));
+            return Table { title: "z-buffer-test", columns, rows: rows.to_vec() };
         };
         let pixel = [fragment.x, self.y];
         let row = |name: &str, owner: Option<u32>, code: u32| {
-            let mut cells = vec![object_name(owner), self.depth(code)];
+            let mut cells = vec![self.name_of(owner), self.depth(code)];
             if unorm {
-                cells.push(code.into());
+                cells.push(Value::text(code)); // a code, not a count: digits in one group
             }
             cells.push(Value::Code { code, width: format.bits() });
             Row::new(name, cells)
@@ -361,7 +242,7 @@ impl Snapshot {
             Value::F64(depth) => Value::F32(depth as f32),
             other => other,
         };
-        let object = self.image.owner(pixel).map(|owner| owner as usize);
+        let object = self.image.owner(pixel).map(|owner| self.names[owner as usize].object);
         Mark::Pixel { at: pixel.map(|n| n as i32), role, object, value }
     }
 
@@ -384,15 +265,15 @@ impl Snapshot {
     }
 }
 
-/// The test in the listing's names, and its sign between two numbers.
-fn comparison(compare: CompareFunction) -> Option<(&'static str, &'static str)> {
+/// The test in the listing's names, if it compares at all.
+fn test(compare: CompareFunction) -> Option<&'static str> {
     Some(match compare {
-        CompareFunction::Less => ("new < stored", " < "),
-        CompareFunction::Equal => ("new = stored", " = "),
-        CompareFunction::LessEqual => ("new ≤ stored", " ≤ "),
-        CompareFunction::Greater => ("new > stored", " > "),
-        CompareFunction::NotEqual => ("new ≠ stored", " ≠ "),
-        CompareFunction::GreaterEqual => ("new ≥ stored", " ≥ "),
+        CompareFunction::Less => "new < stored",
+        CompareFunction::Equal => "new = stored",
+        CompareFunction::LessEqual => "new ≤ stored",
+        CompareFunction::Greater => "new > stored",
+        CompareFunction::NotEqual => "new ≠ stored",
+        CompareFunction::GreaterEqual => "new ≥ stored",
         CompareFunction::Never | CompareFunction::Always => return None,
     })
 }

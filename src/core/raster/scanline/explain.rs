@@ -76,7 +76,8 @@ impl Snapshot {
 
     /// Such as `V0V2`.
     fn edge_name(&self, edge: Between) -> String {
-        self.ends(edge).map(Self::vertex_name).concat()
+        let [a, b] = self.ends(edge);
+        [a.min(b), a.max(b)].map(Self::vertex_name).concat()
     }
 
     fn pixels(&self) -> u64 {

@@ -37,8 +37,9 @@ impl Snapshot {
     }
 
     fn crossing(&self, side: Side, edge: Between, x: f64) -> Formula {
-        let slope = Piece::Number(self.slopes[edge as usize].into());
-        let result = Piece::Result(x.into());
+        let slope = self.slopes[edge as usize].unwrap_or(0.0);
+        let (open, close) = if slope < 0.0 { ("(", ") = ") } else { ("", " = ") };
+        let (slope, result) = (Piece::Number(slope.into()), Piece::Result(x.into()));
         if let Some(last) = self.last_crossing(side, edge) {
             let (general, sign) = match (side, self.settings.y_axis) {
                 (Side::Left, YAxis::Down) => ("x left = x left + dx/dy", " + "),
@@ -50,8 +51,9 @@ impl Snapshot {
                 Piece::Text("= "),
                 Piece::Number(last.into()),
                 Piece::Text(sign),
+                Piece::Text(open),
                 slope,
-                Piece::Text(" = "),
+                Piece::Text(close),
                 result,
             ];
             return Formula { general, numbers };
@@ -67,8 +69,9 @@ impl Snapshot {
             Piece::Text(" − "),
             y0,
             Piece::Text(") · "),
+            Piece::Text(open),
             slope,
-            Piece::Text(" = "),
+            Piece::Text(close),
             result,
         ];
         let general = match side {

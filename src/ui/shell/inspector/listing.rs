@@ -4,16 +4,24 @@ use crate::{
     face::{Command, Face},
     run::Shown,
     theme::Text,
-    widgets::{focus_ring, text_in},
+    widgets::focus_ring,
 };
-use egui::{Align2, Rect, Role as Part, Sense, Ui, WidgetInfo, pos2, vec2};
+use egui::{
+    Align2, Rect, Role as Part, Sense, Ui, WidgetInfo, pos2,
+    text::{LayoutJob, TextFormat},
+    vec2,
+};
+
+/// Room for the line numbers.
+const NUMBERS: f32 = 38.0;
 
 /// Shows the listing.
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown) {
     let look = face.look;
     ui.add_space(8.0);
     for (i, line) in shown.listing.iter().enumerate() {
-        let size = vec2(ui.available_width(), look.line_height(Text::Listing));
+        let galley = galley(ui, face, line);
+        let size = vec2(ui.available_width(), galley.size().y.max(look.line_height(Text::Listing)));
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
         let lit = shown.line == Some(i);
         let name = line.trim_start();
@@ -28,17 +36,28 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown) {
         } else if response.hovered() {
             ui.painter().rect_filled(rect, 0, look.raised);
         }
-        let font = look.font(Text::Listing);
         let number = if lit { look.text } else { look.dim };
-        let at = pos2(rect.left() + 28.0, rect.center().y);
-        ui.painter().text(at, Align2::RIGHT_CENTER, (i + 1).to_string(), font.clone(), number);
-        let room =
-            Rect::from_min_max(pos2(rect.left() + 38.0, rect.top()), pos2(rect.right() - 6.0, rect.bottom()));
-        text_in(ui.painter(), room, Align2::LEFT_CENTER, line, font, look.text);
+        let at = pos2(rect.left() + 28.0, rect.top() + look.line_height(Text::Listing) / 2.0);
+        ui.painter().text(at, Align2::RIGHT_CENTER, (i + 1).to_string(), look.font(Text::Listing), number);
+        ui.painter().galley(pos2(rect.left() + NUMBERS, rect.top()), galley, look.text);
         focus_ring(ui, &response, rect, look);
         if response.on_hover_text(face.say("ui-listing-hint")).clicked() {
             face.ask(Command::ToLine(i));
         }
     }
     ui.add_space(8.0);
+}
+
+/// One line; what does not fit goes on below, indented.
+fn galley(ui: &Ui, face: &Face<'_>, line: &str) -> std::sync::Arc<egui::Galley> {
+    let code = line.trim_start();
+    let digit =
+        ui.painter().layout_no_wrap("0".to_owned(), face.look.font(Text::Listing), face.look.text).size().x;
+    let indent = digit * (line.len() - code.len()) as f32;
+    let mut format = TextFormat::simple(face.look.font(Text::Listing), face.look.text);
+    format.line_height = Some(face.look.line_height(Text::Listing));
+    let mut job = LayoutJob::default();
+    job.wrap.max_width = ui.available_width() - NUMBERS - 6.0;
+    job.append(code, indent, format);
+    ui.painter().layout_job(job)
 }

@@ -58,7 +58,13 @@ fn head(ui: &mut Ui, face: &Face<'_>, history: &History) {
 fn show_entry(ui: &mut Ui, face: &Face<'_>, entry: &Entry) {
     let look = face.look;
     let line = look.line_height(Text::Mono);
-    let height = 14.0 + line * (1.0 + entry.details.len() as f32);
+    let room = ui.available_width() - 56.0;
+    let details = entry
+        .details
+        .iter()
+        .map(|text| ui.painter().layout(text.clone(), look.font(Text::Listing), look.text, room));
+    let details: Vec<_> = details.collect();
+    let height = 14.0 + line + details.iter().map(|galley| galley.size().y + 3.0).sum::<f32>();
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     response
         .widget_info(|| WidgetInfo::labeled(Part::Label, true, format!("{}: {}", entry.name, entry.reason)));
@@ -86,8 +92,10 @@ fn show_entry(ui: &mut Ui, face: &Face<'_>, entry: &Entry) {
     let beside = row(y).with_min_x(name.right() + 10.0);
     let reason = if entry.role == Role::Skipped { look.dim } else { color };
     text_in(painter, beside, Align2::RIGHT_CENTER, &entry.reason, look.font(Text::Strong), reason);
-    for (i, detail) in entry.details.iter().enumerate() {
-        let at = row(y + line * (i + 1) as f32);
-        text_in(painter, at, Align2::LEFT_CENTER, detail, look.font(Text::Listing), look.text);
+    let mut at = pos2(rect.left() + 40.0, rect.top() + 9.0 + line);
+    for detail in details {
+        let height = detail.size().y;
+        painter.galley(at, detail, look.text);
+        at.y += height + 3.0;
     }
 }

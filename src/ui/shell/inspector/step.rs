@@ -26,7 +26,7 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown, digest: &Digest)
         }
         ui.add_space(12.0);
     });
-    for (i, one) in digest.tables.iter().enumerate() {
+    for (i, one) in digest.tables.iter().filter(|table| !table.rows.is_empty()).enumerate() {
         part_line(ui, face);
         table::show(ui, face, one, Some(MOST_ROWS), i == 0);
     }

@@ -13,6 +13,9 @@ const GAP: f32 = 12.0;
 
 /// Shows a table; `most` rows of it, round the active one. `key` explains the mark of changes.
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, table: &TextTable, most: Option<usize>, key: bool) {
+    if table.rows.is_empty() {
+        return;
+    }
     ui.add_space(8.0);
     title(ui, face, table, key);
     let rows = window(table, most);
@@ -57,9 +60,12 @@ fn title(ui: &mut Ui, face: &Face<'_>, table: &TextTable, key: bool) {
     });
 }
 
-fn font(face: &Face<'_>, text: &str, strong: bool) -> FontId {
+/// The font of a cell; `dense` where a row would not fit otherwise.
+fn font(face: &Face<'_>, text: &str, strong: bool, dense: bool) -> FontId {
     let words = text.chars().filter(|c| c.is_lowercase()).count() > 2;
     face.look.font(match (words, strong) {
+        (true, _) if dense => Text::Small,
+        (false, _) if dense => Text::SmallMono,
         (true, false) => Text::Label,
         (true, true) => Text::LabelStrong,
         (false, false) => Text::Mono,
@@ -67,46 +73,54 @@ fn font(face: &Face<'_>, text: &str, strong: bool) -> FontId {
     })
 }
 
-/// The right edge of each column, from the left edge of the table; the names come first.
-fn columns(ui: &Ui, face: &Face<'_>, table: &TextTable, rows: &[TextRow]) -> Vec<f32> {
-    let measure = |text: &str, font: FontId| {
-        ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x
-    };
-    let name = rows.iter().map(|row| {
-        measure(&row.name, font(face, &row.name, true))
-            + if row.role.is_some() || row.changed() { 18.0 } else { 0.0 }
-    });
-    let name = name.fold(0.0, f32::max);
-    let widths: Vec<f32> = table
-        .columns
-        .iter()
-        .enumerate()
-        .map(|(i, heading)| {
-            let cells = rows.iter().filter_map(|row| row.cells.get(i));
-            let cells = cells.map(|cell| measure(&cell.text, font(face, &cell.text, true)));
-            cells.fold(measure(heading, face.look.font(Text::Listing)), f32::max)
-        })
-        .collect();
-    let room = ui.available_width() - 2.0 * INSET - name - widths.iter().sum::<f32>();
-    let gap = (room / widths.len().max(1) as f32).max(GAP.min(room / widths.len().max(1) as f32).max(4.0));
-    let mut right = INSET + name;
-    widths
-        .iter()
-        .map(|width| {
-            right += width + gap;
-            right
-        })
-        .collect()
+/// Where the columns of a table stand.
+struct Columns {
+    /// The right edge of each column, from the left edge of the table; the names come first.
+    right: Vec<f32>,
+    /// Whether the smallest font is needed.
+    dense: bool,
 }
 
-fn heading(ui: &mut Ui, face: &Face<'_>, table: &TextTable, columns: &[f32]) {
+fn columns(ui: &Ui, face: &Face<'_>, table: &TextTable, rows: &[TextRow]) -> Columns {
+    let room = ui.available_width() - 2.0 * INSET;
+    let wide = widths(ui, face, table, rows, false);
+    let dense = wide.iter().sum::<f32>() + GAP * (wide.len() as f32 - 1.0) > room;
+    let widths = if dense { widths(ui, face, table, rows, true) } else { wide };
+    let gaps = (widths.len() as f32 - 1.0).max(1.0);
+    let gap = ((room - widths.iter().sum::<f32>()) / gaps).max(4.0);
+    let mut right = INSET + widths[0];
+    let right = widths[1..].iter().map(|width| {
+        right += width + gap;
+        right
+    });
+    Columns { right: right.collect(), dense }
+}
+
+/// The width of the names, then of each column.
+fn widths(ui: &Ui, face: &Face<'_>, table: &TextTable, rows: &[TextRow], dense: bool) -> Vec<f32> {
+    let measure = |text: &str, strong: bool| {
+        ui.painter().layout_no_wrap(text.to_owned(), font(face, text, strong, dense), Color32::WHITE).size().x
+    };
+    let name = |row: &TextRow| {
+        measure(&row.name, row.active) + if row.role.is_some() || row.changed() { 18.0 } else { 0.0 }
+    };
+    let names = rows.iter().map(name).fold(0.0, f32::max);
+    let column = |(i, heading): (usize, &String)| {
+        let cells = rows.iter().filter_map(|row| row.cells.get(i));
+        cells.map(|cell| measure(&cell.text, true)).fold(measure(heading, false), f32::max)
+    };
+    std::iter::once(names).chain(table.columns.iter().enumerate().map(column)).collect()
+}
+
+fn heading(ui: &mut Ui, face: &Face<'_>, table: &TextTable, columns: &Columns) {
     if table.columns.iter().all(String::is_empty) {
         return;
     }
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
-    for (text, right) in table.columns.iter().zip(columns) {
+    for (text, right) in table.columns.iter().zip(&columns.right) {
         let at = pos2(rect.left() + right, rect.center().y);
-        ui.painter().text(at, Align2::RIGHT_CENTER, text, face.look.font(Text::Listing), face.look.dim);
+        let font = font(face, text, false, columns.dense);
+        ui.painter().text(at, Align2::RIGHT_CENTER, text, font, face.look.dim);
     }
 }
 
@@ -116,7 +130,7 @@ fn more(ui: &mut Ui, face: &Face<'_>, count: usize) {
     });
 }
 
-fn show_row(ui: &mut Ui, face: &Face<'_>, row: &TextRow, columns: &[f32]) {
+fn show_row(ui: &mut Ui, face: &Face<'_>, row: &TextRow, columns: &Columns) {
     let look = face.look;
     let height = look.line_height(Text::Mono) + if row.role.is_some() { 5.0 } else { 4.0 };
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
@@ -143,14 +157,16 @@ fn show_row(ui: &mut Ui, face: &Face<'_>, row: &TextRow, columns: &[f32]) {
     }
     let strong = row.active || changed;
     let at = pos2(rect.left() + INSET, rect.center().y);
-    let end =
-        painter.text(at, Align2::LEFT_CENTER, &row.name, font(face, &row.name, strong), look.text).right();
+    let end = painter
+        .text(at, Align2::LEFT_CENTER, &row.name, font(face, &row.name, strong, columns.dense), look.text)
+        .right();
     let marker = row.role.or(changed.then_some(Role::Changed));
     if let Some(role) = marker {
         paint::marker(painter, pos2(end + 11.0, at.y), role, 9.0, look);
     }
-    for (cell, right) in row.cells.iter().zip(columns) {
-        show_cell(ui, face, cell, pos2(rect.left() + right, at.y), strong, row.active);
+    for (cell, right) in row.cells.iter().zip(&columns.right) {
+        let font = font(face, &cell.text, strong || cell.changed, columns.dense);
+        show_cell(ui, face, cell, pos2(rect.left() + right, at.y), font, row.active);
     }
     let exact: Vec<String> =
         row.cells.iter().filter(|cell| cell.exact != cell.text).map(|cell| cell.exact.clone()).collect();
@@ -159,10 +175,9 @@ fn show_row(ui: &mut Ui, face: &Face<'_>, row: &TextRow, columns: &[f32]) {
     }
 }
 
-fn show_cell(ui: &Ui, face: &Face<'_>, cell: &TextCell, at: egui::Pos2, strong: bool, lit: bool) {
+fn show_cell(ui: &Ui, face: &Face<'_>, cell: &TextCell, at: egui::Pos2, font: FontId, lit: bool) {
     let look = face.look;
     let color = if cell.changed && !lit { look.role(Role::Changed) } else { look.text };
-    let font = font(face, &cell.text, strong || cell.changed);
     let rect = ui.painter().text(at, Align2::RIGHT_CENTER, &cell.text, font, color);
     if cell.changed && !cell.text.is_empty() {
         let y = ui.painter().round_to_pixel_center(rect.bottom() + 1.0);

@@ -187,6 +187,12 @@ impl App {
         self.canvas.fit();
     }
 
+    /// Opens what the program was started with, which is no edit.
+    pub fn start_with(&mut self, path: &str, platform: &mut dyn Platform) {
+        self.open(path, platform);
+        self.history = History::default();
+    }
+
     /// What is kept from one start to the next, as text.
     pub fn settings(&self) -> String {
         self.view.theme.name().to_owned()

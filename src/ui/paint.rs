@@ -132,6 +132,14 @@ impl Shapes<'_> {
     }
 
     fn line(&self, mut points: Vec<Pos2>, closed: bool, stroke: &Stroke) {
+        if stroke.dash.is_empty() && sharp(&points, closed) {
+            // egui's mitres have no limit: a needle would grow a spike.
+            points.extend(points.first().copied().filter(|_| closed));
+            let segments =
+                points.windows(2).map(|ends| egui::Shape::line_segment([ends[0], ends[1]], solid(stroke)));
+            self.painter.extend(segments);
+            return;
+        }
         if stroke.dash.is_empty() {
             let shape = if closed {
                 egui::Shape::closed_line(points, solid(stroke))
@@ -150,6 +158,17 @@ impl Shapes<'_> {
             egui::Shape::dashed_line_with_offset(&points, solid(stroke), &dashes, &gaps, -stroke.phase);
         self.painter.extend(lines);
     }
+}
+
+/// Whether a corner is sharper than 30 degrees.
+fn sharp(points: &[Pos2], closed: bool) -> bool {
+    let n = points.len();
+    let corners = if closed { n } else { n.saturating_sub(2) };
+    (0..corners).any(|i| {
+        let (a, b, c) = (points[i], points[(i + 1) % n], points[(i + 2) % n]);
+        let (u, v) = (a - b, c - b);
+        u.dot(v) > 0.866 * u.length() * v.length()
+    })
 }
 
 fn solid(stroke: &Stroke) -> egui::Stroke {

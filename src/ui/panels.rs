@@ -144,7 +144,7 @@ impl App {
             (Some(picture), _) => Some(Drawing {
                 marks: &picture.marks,
                 view: &picture.view,
-                rev: (Maker::Overview, picture.rev),
+                rev: (picture.maker, picture.rev),
             }),
             (None, Some(shown)) => {
                 Some(Drawing { marks: &shown.marks, view: &shown.view, rev: (Maker::Run, shown.rev) })

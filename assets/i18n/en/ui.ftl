@@ -148,3 +148,4 @@ ui-stages = Stages
 column-came = in
 column-went = out
 column-dropped = dropped
+ui-thousands = { $count } k

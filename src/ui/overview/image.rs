@@ -14,6 +14,9 @@ use std::sync::Arc;
 /// Most triangles whose outlines are drawn; beyond that they would hide the image.
 const MOST_OUTLINES: usize = 64;
 
+/// Larger images have no grid until they are zoomed in.
+const MOST_GRID: u32 = 160;
+
 /// The marks of the image and their view.
 pub(super) fn drawing(
     outputs: &Outputs,
@@ -38,12 +41,9 @@ pub(super) fn drawing(
             value: Value::None,
         });
     }
-    let view = View {
-        min: [0.0; 2],
-        max: [w as f32, h as f32],
-        y_up: scene.y_axis == YAxis::Up,
-        grid: Grid::Pixels,
-    };
+    // On a large image grid and rulers come with zooming in.
+    let grid = if w.max(h) <= MOST_GRID { Grid::Pixels } else { Grid::None };
+    let view = View { min: [0.0; 2], max: [w as f32, h as f32], y_up: scene.y_axis == YAxis::Up, grid };
     (marks, view)
 }
 

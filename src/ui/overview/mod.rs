@@ -12,7 +12,7 @@ pub(crate) use history::{Entry, History};
 
 use crate::{
     document::{Scenery, ViewState},
-    shell::ribbon::Chip,
+    shell::{canvas::Maker, ribbon::Chip},
 };
 use rasterscope_core::{
     explain::{Mark, View},
@@ -32,6 +32,7 @@ pub(crate) struct Overview {
     seen: Option<(Scene, Skips)>,
     /// The image and the run that drew it.
     image: Option<(usize, Arc<Vec<u8>>)>,
+    space: space::Space,
     drawing: Option<(DrawingKey, Rc<Picture>)>,
     chips: Option<((u64, ThemeName), Rc<[Chip]>)>,
     history: Option<((u64, [u32; 2]), Rc<History>)>,
@@ -53,6 +54,7 @@ struct DrawingKey {
 pub(crate) struct Picture {
     pub(crate) marks: Vec<Mark>,
     pub(crate) view: View,
+    pub(crate) maker: Maker,
     /// Differs from picture to picture.
     pub(crate) rev: u64,
 }
@@ -64,6 +66,7 @@ impl Default for Overview {
             rev: 0,
             seen: None,
             image: None,
+            space: space::Space::default(),
             drawing: None,
             chips: None,
             history: None,
@@ -116,12 +119,12 @@ impl Overview {
         }
         let rev = self.drawing.as_ref().map_or(0, |(_, picture)| picture.rev) + 1;
         let outputs = self.pipeline.outputs();
-        let (marks, view) = match (orbit, &self.image) {
-            (Some(orbit), _) => (space::marks(outputs, scene, &orbit), orbit.view()),
-            (None, Some((_, rgba))) => image::drawing(outputs, scene, rgba, view),
+        let (maker, (marks, view)) = match (orbit, &self.image) {
+            (Some(orbit), _) => (Maker::Space, self.space.drawing(outputs, scene, &orbit)),
+            (None, Some((_, rgba))) => (Maker::Image, image::drawing(outputs, scene, rgba, view)),
             (None, None) => return None,
         };
-        let picture = Rc::new(Picture { marks, view, rev });
+        let picture = Rc::new(Picture { marks, view, maker, rev });
         self.drawing = Some((key, Rc::clone(&picture)));
         Some(picture)
     }

@@ -1,7 +1,7 @@
 //! The canvas: the drawing of the step, handles to drag, zoom, pan, and the readout.
 
 use crate::{
-    document::{Document, Scenery, Snap, Tab, ViewState},
+    document::{Document, Snap, Tab, ViewState},
     face::Face,
     labs::{Handle, Kind, Lab},
     paint::{self, Textures},
@@ -36,16 +36,18 @@ pub(crate) struct Drawing<'a> {
 pub(crate) enum Maker {
     /// The run of a lab.
     Run,
-    /// The overview of the whole scene.
-    Overview,
+    /// The overview, as the image.
+    Image,
+    /// The overview, from outside.
+    Space,
 }
 
 /// What the canvas remembers from frame to frame.
 #[derive(Debug, Default)]
 pub(crate) struct Canvas {
     placement: Option<Placement>,
-    /// What the placement was fitted to: the view, and the canvas's size.
-    fitted: Option<(View, Vec2)>,
+    /// What the placement was fitted to: the view, the canvas's size, and whose drawing.
+    fitted: Option<(View, Vec2, Maker)>,
     /// Whether the user has zoomed or moved the drawing.
     moved: bool,
     figure: Option<(FigureKey, Figure)>,
@@ -88,9 +90,9 @@ impl Canvas {
     ) {
         let rect = ui.max_rect();
         // A camera of its own looks at the scene from outside: there is no plane to drag in.
-        let space = drawing.rev.0 == Maker::Overview && view.scenery == Scenery::Space;
+        let space = drawing.rev.0 == Maker::Space;
         let handles = if space { Vec::new() } else { lab.handles(document) };
-        self.place(drawing.view, rect.size(), &handles);
+        self.place(drawing, rect.size(), &handles);
         let background = ui.interact(rect, ui.scope_id().with("canvas"), Sense::click_and_drag());
         background.widget_info(|| WidgetInfo::labeled(Part::Canvas, true, face.say("ui-canvas")));
         if space {
@@ -104,6 +106,7 @@ impl Canvas {
         let shown: Vec<(Response, Handle)> = handles
             .into_iter()
             .enumerate()
+            .filter(|(_, handle)| rect.contains(place(rect, placement, handle.at)))
             .map(|(i, handle)| {
                 (self.handle(ui, rect, placement, i, &handle, drawing, lab, document, view), handle)
             })
@@ -122,9 +125,11 @@ impl Canvas {
         readout(ui, face, rect, placement, &background, drawing, space);
     }
 
-    fn place(&mut self, view: &View, size: Vec2, handles: &[Handle]) {
+    fn place(&mut self, drawing: Drawing<'_>, size: Vec2, handles: &[Handle]) {
+        let (view, (maker, _)) = (drawing.view, drawing.rev);
         let stale = match (&self.fitted, self.placement) {
-            (Some((fitted, old)), Some(placement)) if !self.moved => {
+            (Some((_, _, old)), Some(_)) if *old != maker => true,
+            (Some((fitted, old, _)), Some(placement)) if !self.moved => {
                 let canvas = Rect::from_min_size(Pos2::ZERO, size).shrink(BORDER);
                 let out =
                     handles.iter().any(|handle| !canvas.contains(Pos2::from(placement.to_points(handle.at))));
@@ -133,6 +138,7 @@ impl Canvas {
                 *old != size
                     || fitted.y_up != view.y_up
                     || fitted.grid != view.grid
+                    || maker != Maker::Run && fitted != view
                     || view.grid == Grid::Pixels && fitted != view
                     || !self.dragging && (out || much_smaller)
             }
@@ -141,7 +147,8 @@ impl Canvas {
         };
         if stale {
             self.placement = Some(Placement::fit(view, [size.x, size.y], INSET));
-            self.fitted = Some((*view, size));
+            self.fitted = Some((*view, size, maker));
+            self.moved = false;
         }
     }
 
@@ -169,11 +176,9 @@ impl Canvas {
                 self.moved = true;
             }
         }
-        if let Some(at) =
-            ground.interact_pointer_pos().filter(|_| ground.clicked() && drawing.view.grid == Grid::Pixels)
-        {
+        if let Some(at) = ground.interact_pointer_pos().filter(|_| ground.clicked() && has_pixels(drawing)) {
             view.pixel = pixel_at(*placement, rect, at);
-            if drawing.rev.0 == Maker::Overview {
+            if drawing.rev.0 == Maker::Image {
                 view.tab = Tab::Pixel;
             }
         }
@@ -236,6 +241,8 @@ impl Canvas {
         let key = (drawing.rev, placement, size, face.look.theme.name);
         if self.figure.as_ref().is_none_or(|(old, _)| *old != key) {
             self.drawn += 1;
+            let view = View { grid: grid(drawing, placement), ..*drawing.view };
+            let drawing = Drawing { view: &view, ..drawing };
             self.figure = Some((key, draw(drawing, placement, size, face.look.theme.name, face.words)));
         }
         &self.figure.as_ref().expect("made above").1
@@ -262,6 +269,17 @@ fn turn(ui: &Ui, rect: Rect, ground: &Response, view: &mut ViewState) {
             *orbit = orbit.nearer(factor);
         }
     }
+}
+
+/// Whether the drawing is of pixels.
+fn has_pixels(drawing: Drawing<'_>) -> bool {
+    drawing.view.grid == Grid::Pixels || drawing.rev.0 == Maker::Image
+}
+
+/// A large image gets its grid as soon as there is room for it.
+fn grid(drawing: Drawing<'_>, placement: Placement) -> Grid {
+    let large = drawing.rev.0 == Maker::Image;
+    if large && placement.scale >= 5.0 { Grid::Pixels } else { drawing.view.grid }
 }
 
 /// A drawing as a figure.
@@ -354,7 +372,8 @@ fn readout(
         return;
     };
     let [x, y] = placement.to_scene((at - rect.min).into());
-    let message = match (drawing.view.grid, pixel_at(placement, rect, at)) {
+    let kind = if has_pixels(drawing) { Grid::Pixels } else { drawing.view.grid };
+    let message = match (kind, pixel_at(placement, rect, at)) {
         (Grid::Pixels, Some([x, y])) => face.words.message(
             &rasterscope_core::message::Message::new("ui-readout-pixel")
                 .with("x", x)

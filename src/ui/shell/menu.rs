@@ -40,7 +40,7 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
                     face.ask(command);
                 }
             }
-            ui.min_rect().right()
+            ui.cursor().left()
         })
         .inner;
     let right = buttons(ui, face, frame, bar);

@@ -73,8 +73,10 @@ pub(crate) fn show(
         }
         match shape {
             Shape::Tall => {
-                let free = chips.get(i + 1).is_some_and(|next| next.skipped.is_none());
-                tall(ui, face, textures, at, chip, chosen, free);
+                tall(ui, face, textures, at, chip, chosen);
+                let free = |neighbour: Option<&Chip>| neighbour.is_some_and(|chip| chip.skipped.is_none());
+                let neighbours = [free(i.checked_sub(1).map(|left| &chips[left])), free(chips.get(i + 1))];
+                skipped(ui, face, at, chip, neighbours);
             }
             _ => flat(ui, face, at, chip, chosen),
         }
@@ -95,10 +97,11 @@ fn press(ui: &Ui, face: &Face<'_>, at: Rect, chip: &Chip) -> Response {
     if response.clicked() {
         face.ask(Command::Stage(chip.stage));
     }
-    match &chip.skipped {
-        Some(skipped) => response.on_hover_text(skipped),
-        None => response,
+    let mut all = line(face, chip);
+    if let Some(skipped) = &chip.skipped {
+        all = format!("{all}\n{skipped}");
     }
+    response.on_hover_text(all)
 }
 
 fn colors(face: &Face<'_>, chip: &Chip, chosen: bool) -> [egui::Color32; 2] {
@@ -110,7 +113,7 @@ fn colors(face: &Face<'_>, chip: &Chip, chosen: bool) -> [egui::Color32; 2] {
     }
 }
 
-fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip, chosen: bool, free: bool) {
+fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip, chosen: bool) {
     let (painter, look) = (ui.painter(), face.look);
     let [ink, dim] = colors(face, chip, chosen);
     let left = at.left() + 9.0;
@@ -126,30 +129,49 @@ fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip
     }
     painter.rect_stroke(frame, 0, Stroke::new(1.0, look.line), StrokeKind::Outside);
     let beside = |y: f32| {
-        Rect::from_min_max(pos2(left + 42.0, at.top() + y), pos2(at.right() - 6.0, at.top() + y + 18.0))
+        Rect::from_min_max(pos2(left + 42.0, at.top() + y), pos2(at.right() - 1.0, at.top() + y + 18.0))
     };
     let off = face.say("ui-stage-off");
     match &chip.count {
         Some(count) => {
-            text_in(painter, beside(22.0), Align2::LEFT_CENTER, count, look.font(Text::Count), ink);
+            let (count, font) = fitting(ui, face, count, beside(22.0).width());
+            text_in(painter, beside(22.0), Align2::LEFT_CENTER, &count, font, ink);
             text_in(painter, beside(37.0), Align2::LEFT_CENTER, &chip.unit, look.font(Text::Small), look.dim);
         }
         None => text_in(painter, beside(29.0), Align2::LEFT_CENTER, &off, look.font(Text::Listing), dim),
     }
-    if let Some(skipped) = &chip.skipped {
-        let line = row(58.0, 18.0);
-        paint::marker(painter, line.left_center() + vec2(5.0, 0.0), Role::Rejected, 8.0, look);
-        // The next chip's place is used if it has nothing to say.
-        let end = if free { at.right() + 60.0 } else { at.right() + 4.0 };
-        let text = line.with_min_x(line.left() + 14.0).with_max_x(end);
-        text_in(
-            painter,
-            text,
-            Align2::LEFT_CENTER,
-            skipped,
-            look.font(Text::Small),
-            look.role(Role::Rejected),
-        );
+}
+
+/// What was skipped, at the foot; it may use the place of a neighbour that has nothing to say.
+fn skipped(ui: &Ui, face: &Face<'_>, at: Rect, chip: &Chip, [left_free, right_free]: [bool; 2]) {
+    let Some(text) = &chip.skipped else { return };
+    let (painter, color) = (ui.painter(), face.look.role(Role::Rejected));
+    let galley = painter.layout_no_wrap(text.clone(), face.look.font(Text::Small), color);
+    let width = galley.size().x + 14.0;
+    let (left, right) = (at.left() + 9.0, at.right() - 2.0);
+    let start = if width <= right - left || right_free || !left_free { left } else { right - width };
+    let y = at.top() + 67.0;
+    paint::marker(painter, pos2(start + 5.0, y), Role::Rejected, 8.0, face.look);
+    let end = if right_free { at.right() + 60.0 } else { right + 4.0 };
+    let room = Rect::from_min_max(pos2(start + 14.0, y - 9.0), pos2(end, y + 9.0));
+    text_in(painter, room, Align2::LEFT_CENTER, text, face.look.font(Text::Small), color);
+}
+
+/// A count in the largest font in which it fits; beyond that in thousands. The tooltip has it whole.
+fn fitting(ui: &Ui, face: &Face<'_>, count: &str, width: f32) -> (String, egui::FontId) {
+    let fits = |text: &str, font: &egui::FontId| {
+        ui.painter().layout_no_wrap(text.to_owned(), font.clone(), face.look.text).size().x <= width
+    };
+    let [large, small] = [Text::Count, Text::LabelStrong].map(|text| face.look.font(text));
+    let digits: String = count.chars().filter(char::is_ascii_digit).collect();
+    match digits.len() {
+        _ if fits(count, &large) => (count.to_owned(), large),
+        _ if fits(count, &small) => (count.to_owned(), small),
+        0..=3 => (count.to_owned(), small),
+        _ => {
+            let thousands = digits.parse().map_or(0, |n: u64| (n + 500) / 1000);
+            (face.say_with("ui-thousands", "count", thousands as usize), large)
+        }
     }
 }
 

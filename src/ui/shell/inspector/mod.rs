@@ -139,7 +139,8 @@ fn empty(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, stages: Option<&TextTa
     inset(ui, |ui| {
         ui.add_space(14.0);
         // The whole scene says more than that there is nothing to step.
-        let note = Some(&frame.note).filter(|note| stages.is_some() && !note.is_empty());
+        let note = if frame.note.is_empty() { &frame.about } else { &frame.note };
+        let note = Some(note).filter(|_| stages.is_some());
         match (note, &frame.problem) {
             (Some(text), _) => ui.label(face.rich(text, Text::Sentence)),
             (None, Some(text)) => ui.label(face.dim(text, Text::Sentence)),

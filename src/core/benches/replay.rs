@@ -10,7 +10,7 @@ use rasterscope_core::{
     math::Tally,
     raster::{Settings, scanline},
     replay::{Budget, Playback},
-    trace::{Count, NoTrace, Tracer},
+    trace::{NoTrace, Tracer},
 };
 use std::{hint::black_box, time::Instant};
 
@@ -38,10 +38,8 @@ fn main() {
     record(
         "scan line",
         || scanline_with(scan, &settings, &mut NoTrace),
-        || {
-            let mut count = Count(0);
-            scanline_with(scan, &settings, &mut count);
-            count.0
+        |log| {
+            scanline_with(scan, &settings, log);
         },
     );
 
@@ -86,18 +84,22 @@ fn scanline_with<T: Tracer<scanline::Event>>(triangle: [[f32; 2]; 3], settings: 
 }
 
 /// What a traced run costs beside the untraced one.
-fn record(name: &str, fast: impl Fn() -> u64, counted: impl Fn() -> usize) {
+fn record(name: &str, fast: impl Fn() -> u64, traced: impl Fn(&mut Vec<scanline::Event>)) {
     let mut best = [f64::INFINITY; 2];
-    let (mut pixels, mut events) = (0, 0);
+    let (mut pixels, mut log) = (0, Vec::new());
     for _ in 0..ROUNDS {
         let start = Instant::now();
         pixels = black_box(fast());
         best[0] = best[0].min(start.elapsed().as_secs_f64());
+        log.clear();
         let start = Instant::now();
-        events = black_box(counted());
+        traced(&mut log);
         best[1] = best[1].min(start.elapsed().as_secs_f64());
     }
+    let events = log.len();
     assert!(events as u64 > pixels, "each pixel is an event");
-    let [fast, traced] = best.map(|time| time * 1e6);
-    println!("{name}: {pixels} pixels in {fast:.1} us untraced, {events} events in {traced:.1} us counted");
+    let [fast, each] = [best[0] * 1e6, best[1] * 1e9 / events as f64];
+    println!(
+        "{name}: {pixels} pixels in {fast:.1} us untraced; recorded, {each:.1} ns for each of {events} events"
+    );
 }

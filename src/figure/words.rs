@@ -39,14 +39,15 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "words"
     "labs"
     "scene"
-    "ui"
-    "pipeline"
     "transform"
     "cohen-sutherland"
     "scanline"
     "z-buffer"
+    "pipeline"
     "figure"
     "cli"
+    "tour"
+    "ui"
 )];
 
 /// The words of one language.

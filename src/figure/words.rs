@@ -48,6 +48,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "z-buffer"
     "figure"
     "cli"
+    "tour"
     "app"
 )];
 

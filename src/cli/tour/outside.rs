@@ -86,7 +86,11 @@ pub(super) fn model(subject: &Subject<'_>) -> Drawing {
         let mut end = [0.0; 3];
         end[axis] = length;
         if let Some(ends) = orbit.segment([0.0; 3], end) {
-            marks.push(Mark::Segment { ends: ends.map(to_picture), role: Role::Exact, label: Some(Label::name(name)) });
+            marks.push(Mark::Segment {
+                ends: ends.map(to_picture),
+                role: Role::Exact,
+                label: Some(Label::name(name)),
+            });
         }
     }
     if subject.is_named() {
@@ -175,7 +179,11 @@ pub(super) fn clip_space(subject: &Subject<'_>) -> Drawing {
         marks.push(Mark::Segment { ends: [at([0.0, 0.0]), at([x, top])], role: Role::Neutral, label });
     }
     let [left, right] = [min[0].min(-top), max[0].max(top)].map(|x| at([x, 0.0]));
-    marks.push(Mark::Segment { ends: [left, right], role: Role::Candidate, label: Some(Label::name("w = 0")) });
+    marks.push(Mark::Segment {
+        ends: [left, right],
+        role: Role::Candidate,
+        label: Some(Label::name("w = 0")),
+    });
     drawing(marks, "tour-picture-clip-space")
 }
 

@@ -118,7 +118,8 @@ pub(super) fn stencil(subject: &Subject<'_>) -> Drawing {
     let stencil = &subject.outputs.frame.stencil;
     let clear = subject.scene.clear.stencil;
     let most = stencil.iter().copied().max().unwrap_or(0).max(1);
-    let mut marks = vec![flat_image(subject, |i| shade(subject, f32::from(stencil[i]) / f32::from(most) * 0.5))];
+    let mut marks =
+        vec![flat_image(subject, |i| shade(subject, f32::from(stencil[i]) / f32::from(most) * 0.5))];
     if subject.is_small() {
         marks.extend(cells(subject, |i| {
             let role = if stencil[i] == clear { Role::Candidate } else { Role::Neutral };
@@ -165,10 +166,15 @@ pub(super) fn stored_clear(subject: &Subject<'_>) -> f32 {
 pub(super) fn blend(subject: &Subject<'_>) -> Drawing {
     let mut marks = vec![image(&subject.outputs.frame)];
     if subject.is_small() && subject.outputs.frame.stats.stage(Stage::Blend).on {
-        let blended = |draw: u32| subject.scene.draws.get(draw as usize).is_some_and(|draw| draw.blend.is_some());
+        let blended =
+            |draw: u32| subject.scene.draws.get(draw as usize).is_some_and(|draw| draw.blend.is_some());
         let coverage = subject.coverage();
         marks.extend(cells(subject, |i| {
-            (coverage.counts[i] > 0 && blended(coverage.last[i])).then_some((Role::Changed, None, Value::None))
+            (coverage.counts[i] > 0 && blended(coverage.last[i])).then_some((
+                Role::Changed,
+                None,
+                Value::None,
+            ))
         }));
     }
     drawing(subject, marks, "tour-picture-blend")

@@ -1,9 +1,9 @@
 //! What the tour is about: a scene and what every stage made of it.
 
 use rasterscope_core::{
+    math::Tally,
     pipeline::{Fate, Outputs, ScreenTriangle},
     raster::{self, Settings, Span},
-    math::Tally,
     scene::{Draw, Scene},
     transform::{Projection, matrices::row},
 };
@@ -79,9 +79,8 @@ impl<'a> Subject<'a> {
     /// A point of camera space in world space.
     pub(super) fn to_world(&self, p: [f32; 3]) -> [f32; 3] {
         let axes = self.axes();
-        [0, 1, 2].map(|c| {
-            self.scene.camera.eye[c] + p[0] * axes[0][c] + p[1] * axes[1][c] + p[2] * axes[2][c]
-        })
+        [0, 1, 2]
+            .map(|c| self.scene.camera.eye[c] + p[0] * axes[0][c] + p[1] * axes[1][c] + p[2] * axes[2][c])
     }
 
     /// How far the pictures of the frustum go: to the far plane, but not far behind everything.

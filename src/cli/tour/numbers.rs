@@ -49,7 +49,7 @@ pub(super) fn tables(subject: &Subject<'_>, stage: Stage) -> (Vec<Table>, Option
         Stage::Fragments => fragments(subject),
         Stage::Stencil => histogram(
             "tour-table-stencil",
-            subject.outputs.frame.stencil.iter().map(|value| value.to_string()),
+            subject.outputs.frame.stencil.iter().map(std::string::ToString::to_string),
         ),
         Stage::Depth => depth(subject),
         Stage::Blend => first("tour-table-blend", vec!["column-color", "column-alpha"], blends(subject)),
@@ -189,7 +189,7 @@ fn histogram(title: &'static str, values: impl Iterator<Item = String>) -> (Vec<
 }
 
 fn fragments(subject: &Subject<'_>) -> (Vec<Table>, Option<Message>) {
-    histogram("tour-table-fragments", subject.coverage().counts.iter().map(|count| count.to_string()))
+    histogram("tour-table-fragments", subject.coverage().counts.iter().map(std::string::ToString::to_string))
 }
 
 fn depth(subject: &Subject<'_>) -> (Vec<Table>, Option<Message>) {

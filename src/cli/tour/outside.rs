@@ -140,7 +140,7 @@ fn flat(
 pub(super) fn view(subject: &Subject<'_>) -> Drawing {
     let camera = &subject.scene.camera;
     let (shown, limit) = (subject.depth_shown(), REACH * camera.far.min(1e18));
-    let all = || subject.outputs.draws.iter().flat_map(|draw| draw.view());
+    let all = || subject.outputs.draws.iter().flat_map(rasterscope_core::pipeline::DrawOutputs::view);
     let [min, max] = bounds(all().map(|p| [-p[2], p[1]]).chain([[shown, 0.0]]), limit);
     let half = subject.half_extent(shown)[1].min((max[1] - min[1]).max(shown * 0.2));
     let reach = all().map(|p| p[0].abs()).filter(|x| *x <= limit).fold(1.0, f32::max);
@@ -166,7 +166,7 @@ pub(super) fn view(subject: &Subject<'_>) -> Drawing {
 /// Clip space: x to the right, w up; visible is what lies between `x = -w` and `x = w`.
 pub(super) fn clip_space(subject: &Subject<'_>) -> Drawing {
     let limit = REACH * subject.scene.camera.far.min(1e18);
-    let all = || subject.outputs.draws.iter().flat_map(|draw| draw.clip());
+    let all = || subject.outputs.draws.iter().flat_map(rasterscope_core::pipeline::DrawOutputs::clip);
     let [min, max] = bounds(all().map(|p| [p[0], p[3]]).chain([[0.0, 1.0]]), limit);
     let top = max[1];
     let reach = all().map(|p| p[1].abs()).filter(|y| *y <= limit).fold(1.0, f32::max);

@@ -68,7 +68,7 @@ pub(super) fn viewport(subject: &Subject<'_>) -> Drawing {
             _ => subject.color(coverage.last[i] as usize),
         }));
     } else if subject.is_named() {
-        let screen = subject.outputs.draws.iter().flat_map(|draw| draw.screen());
+        let screen = subject.outputs.draws.iter().flat_map(rasterscope_core::pipeline::DrawOutputs::screen);
         marks.extend(screen.map(|&[x, y, ..]| Mark::Point { at: [x, y], role: Role::Neutral, label: None }));
     }
     drawing(subject, marks, "tour-picture-viewport")

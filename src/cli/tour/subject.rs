@@ -86,7 +86,7 @@ impl<'a> Subject<'a> {
     /// How far the pictures of the frustum go: to the far plane, but not far behind everything.
     pub(super) fn depth_shown(&self) -> f32 {
         let camera = &self.scene.camera;
-        let views = self.outputs.draws.iter().flat_map(|draw| draw.view());
+        let views = self.outputs.draws.iter().flat_map(rasterscope_core::pipeline::DrawOutputs::view);
         let deepest = views.map(|p| -p[2]).filter(|d| d.is_finite() && *d <= camera.far).fold(0.0, f32::max);
         if deepest > 0.0 { camera.far.min((deepest * 1.25).max(camera.near * 2.0)) } else { camera.far }
     }

@@ -122,7 +122,7 @@ impl App {
             Ok(scene) => {
                 self.replace(scene);
                 self.path = None;
-                self.preset = Some((name, self.document.clone()));
+                self.preset = Some((name, self.document.scene.clone()));
             }
             Err(problem) => self.notice = Some(Notice::Failed(self.words.message(&problem))),
         }

@@ -46,7 +46,7 @@ impl App {
             preset: self
                 .preset
                 .as_ref()
-                .filter(|(_, document)| *document == self.document)
+                .filter(|(_, scene)| *scene == self.document.scene)
                 .map(|(name, _)| *name),
             presets: &presets,
             note: self.names.text(&self.words, &self.document.scene.note),

@@ -55,7 +55,7 @@ fn preset(ui: &mut Ui, face: &Face<'_>, preset: &PresetInfo, chosen: bool) {
         }
         let font = face.look.font(if chosen { Text::LabelStrong } else { Text::Label });
         let color = if chosen { face.look.text } else { face.look.dim };
-        let room = rect.with_min_x(rect.left() + 12.0);
+        let room = rect.with_min_x(rect.left() + 9.0);
         text_in(ui.painter(), room, Align2::LEFT_CENTER, &preset.title, font, color);
     });
     if response.on_hover_text(&preset.note).clicked() {

@@ -47,9 +47,6 @@ pub(crate) fn interact(
         Rect::from_center_size(plane.place(handle.at), Vec2::splat(2.0 * CATCH)).intersect(plane.rect);
     let response = ui.interact(catch, id, Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(Part::Slider, true, &handle.name));
-    if response.drag_started() || response.clicked() {
-        response.request_focus();
-    }
     let (shift, alt) = ui.input(|input| (input.modifiers.shift, input.modifiers.alt));
     let snap = if alt { Snap::Off } else { snap };
     let mut moved = None;

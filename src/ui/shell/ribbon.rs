@@ -137,7 +137,8 @@ fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip
         Some(count) => {
             let (count, font) = fitting(ui, face, count, beside(22.0).width());
             text_in(painter, beside(22.0), Align2::LEFT_CENTER, &count, font, ink);
-            text_in(painter, beside(37.0), Align2::LEFT_CENTER, &chip.unit, look.font(Text::Small), look.dim);
+            let unit = beside(37.0).with_max_x(at.right() + 6.0);
+            text_in(painter, unit, Align2::LEFT_CENTER, &chip.unit, look.font(Text::Small), look.dim);
         }
         None => text_in(painter, beside(29.0), Align2::LEFT_CENTER, &off, look.font(Text::Listing), dim),
     }

@@ -5,7 +5,7 @@ use rasterscope_core::{
     explain::{Row, Table},
     labs::Stage,
     message::{Message, Value},
-    pipeline::{DrawOutputs, Fate, Point, Skip},
+    pipeline::{DrawOutputs, Fate, Point, Skip, screen_names},
     transform::{Matrix, matrices::row},
 };
 use std::collections::BTreeMap;
@@ -141,8 +141,7 @@ fn points(
 }
 
 fn decisions(subject: &Subject<'_>) -> impl Iterator<Item = Row> {
-    subject.outputs.draws.iter().enumerate().flat_map(|(index, draw)| {
-        let name = subject.name(index);
+    subject.outputs.draws.iter().enumerate().flat_map(move |(index, draw)| {
         draw.culled().decisions.iter().enumerate().map(move |(i, decision)| {
             let facing = match (decision.facing, decision.outside) {
                 (Some(Facing::Front), _) => Value::Word("tour-facing-front"),
@@ -152,30 +151,29 @@ fn decisions(subject: &Subject<'_>) -> impl Iterator<Item = Row> {
                 (None, None) => Value::None,
             };
             let fate = if decision.fate == Fate::Dropped { "tour-fate-dropped" } else { "tour-fate-kept" };
-            Row::new(format!("{name} {i}"), vec![facing, Value::Word(fate)])
+            Row::new(subject.triangle_name(index, i as u32), vec![facing, Value::Word(fate)])
         })
     })
 }
 
 fn polygons(subject: &Subject<'_>) -> impl Iterator<Item = Row> {
-    subject.outputs.draws.iter().enumerate().flat_map(|(index, draw)| {
-        let name = subject.name(index);
+    subject.outputs.draws.iter().enumerate().flat_map(move |(index, draw)| {
         draw.clipped().polygons.iter().map(move |polygon| {
             let cut = Value::Word(if polygon.cut { "tour-yes" } else { "tour-no" });
-            Row::new(format!("{name} {}", polygon.triangle), vec![polygon.len.into(), cut])
+            Row::new(subject.triangle_name(index, polygon.triangle), vec![polygon.len.into(), cut])
         })
     })
 }
 
 fn coverage(subject: &Subject<'_>) -> impl Iterator<Item = Row> {
-    subject.outputs.triangles().map(|triangle| {
+    let triangles: Vec<_> = subject.outputs.triangles().collect();
+    let names: Vec<_> = screen_names(subject.scene, &triangles).collect();
+    triangles.into_iter().zip(names).map(|(triangle, name)| {
         let spans = subject.spans(&triangle);
         let pixels = spans.iter().map(|span| span.len() as usize).sum::<usize>();
-        let name = subject.name(triangle.draw as usize);
         let first = spans.first().map(|span| span.y);
-        let part = if triangle.part > 0 { format!(".{}", triangle.part) } else { String::new() };
         let cells = vec![first.into(), spans.len().into(), pixels.into()];
-        Row::new(format!("{name} {}{part}", triangle.triangle), cells)
+        Row::new(name, cells)
     })
 }
 

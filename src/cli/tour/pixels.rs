@@ -5,6 +5,7 @@ use rasterscope_core::{
     explain::{Grid, Mark, Role, View},
     labs::Stage,
     message::Value,
+    pipeline::{DrawOutputs, ScreenTriangle},
     raster::YAxis,
 };
 use rasterscope_figure::theme::Color;
@@ -31,7 +32,7 @@ fn outlines(subject: &Subject<'_>, filled: bool) -> Vec<Mark> {
     if triangles.len() > OUTLINED {
         return Vec::new();
     }
-    let outline = |triangle: &rasterscope_core::pipeline::ScreenTriangle| Mark::Polygon {
+    let outline = |triangle: &ScreenTriangle| Mark::Polygon {
         points: triangle.vertices.map(|[x, y, _]| [x, y]).to_vec(),
         role: Role::Neutral,
         object: filled.then_some(triangle.draw as usize),
@@ -68,7 +69,7 @@ pub(super) fn viewport(subject: &Subject<'_>) -> Drawing {
             _ => subject.color(coverage.last[i] as usize),
         }));
     } else if subject.is_named() {
-        let screen = subject.outputs.draws.iter().flat_map(rasterscope_core::pipeline::DrawOutputs::screen);
+        let screen = subject.outputs.draws.iter().flat_map(DrawOutputs::screen);
         marks.extend(screen.map(|&[x, y, ..]| Mark::Point { at: [x, y], role: Role::Neutral, label: None }));
     }
     drawing(subject, marks, "tour-picture-viewport")

@@ -67,8 +67,7 @@ fn counts(subject: &Subject<'_>, stage: Stage) -> String {
             escape(&words::of(&format!("tour-off-{}", anchor(stage))))
         );
     }
-    let before = Stage::ALL.iter().position(|s| *s == stage).and_then(|i| Stage::ALL.get(i.checked_sub(1)?));
-    let came = before.map(|before| counted("tour-came", Unit::of(*before), count.came));
+    let came = (stage != Stage::Scene).then(|| counted("tour-came", Unit::into(stage), count.came));
     let went = counted("tour-went", Unit::of(stage), count.went);
     let items = came.into_iter().chain([went]).map(|text| format!("<li>{TICK}{}</li>", escape(&text)));
     let dropped = count.reasons().map(|(reason, n)| {

@@ -125,11 +125,11 @@ fn package(error: &str) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::package;
 
     #[test]
     fn a_missing_library_names_its_package() {
-        for (error, package) in [
+        for (error, expected) in [
             ("Library libxkbcommon-x11.so could not be loaded.", "libxkbcommon-x11-0"),
             ("Library libxkbcommon.so could not be loaded.", "libxkbcommon0"),
             ("failed to load one of xlib's shared libraries: libX11-xcb.so.1", "libx11-xcb1"),
@@ -138,7 +138,7 @@ mod tests {
             ("libXi.so.6: cannot open shared object file", "libxi6"),
             ("Failed to find libGL.so.1", "libgl1"),
         ] {
-            assert_eq!(super::package(error), Some(package), "{error}");
+            assert_eq!(package(error), Some(expected), "{error}");
         }
     }
 }

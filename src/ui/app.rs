@@ -180,6 +180,7 @@ impl App {
         self.view.pixel = None;
         self.notice = None;
         self.run.clear();
+        self.ran = None;
         self.update();
         if let Some(step) = step {
             self.run.seek(step);

@@ -27,7 +27,7 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown, digest: &Digest)
         ui.add_space(12.0);
     });
     // What the step is about; if it is about no table, the first one says where the run stands.
-    let about = |table: &&TextTable| table.rows.iter().any(|row| row.active || row.changed());
+    let about = |table: &&TextTable| table.rows.iter().any(|row| row.active || table::changed(row));
     let mut tables: Vec<_> = digest.tables.iter().filter(about).collect();
     if tables.is_empty() {
         tables.extend(digest.tables.iter().find(|table| !table.rows.is_empty()));

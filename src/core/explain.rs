@@ -73,17 +73,26 @@ pub struct Label {
     pub name: String,
     /// Shown behind the name; a vector in parentheses.
     pub value: Value,
+    /// Index of the object that it names: the plate wears its fill.
+    pub object: Option<usize>,
 }
 
 impl Label {
     /// A name without a value.
     pub fn name(name: impl Into<String>) -> Self {
-        Self { name: name.into(), value: Value::None }
+        Self::new(name, Value::None)
     }
 
     /// A name and its value.
     pub fn new(name: impl Into<String>, value: impl Into<Value>) -> Self {
-        Self { name: name.into(), value: value.into() }
+        Self { name: name.into(), value: value.into(), object: None }
+    }
+
+    /// Says that it names an object, whose fill the plate wears.
+    #[must_use]
+    pub fn of(mut self, object: usize) -> Self {
+        self.object = Some(object);
+        self
     }
 }
 
@@ -118,6 +127,8 @@ pub enum Mark {
         role: Role,
         /// Plate at the picture's border.
         label: Option<Label>,
+        /// A few words at the other border, when the step is about this line.
+        note: Option<Message>,
     },
     /// A closed polygon; `object` fills it with the colour of object A, B, C, D, ...
     Polygon {
@@ -127,7 +138,7 @@ pub enum Mark {
         role: Role,
         /// Index of the object whose fill it wears; `None`: the role's own fill.
         object: Option<usize>,
-        /// Plate at its centroid.
+        /// Plate inside it, where it is clear what it names.
         label: Option<Label>,
     },
     /// One pixel (cell `x..x+1`, `y..y+1`).
@@ -150,7 +161,9 @@ pub enum Mark {
         /// What it means.
         role: Role,
     },
-    /// A free text, such as a region code; `big` is the style of region codes.
+    /// A free text, such as a region code; `big` is the style of region codes. A big text with a
+    /// name and a value has the value beside it, small. A text whose place is taken by another
+    /// stands below that.
     Text {
         /// Where its top left corner is.
         at: [f32; 2],
@@ -228,7 +241,7 @@ pub struct Table {
 /// One row of a [`Table`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Its heading: a name of the listing, or an index.
+    /// Its heading: a name of the listing, an index, or a message id that starts with `row-`.
     pub name: String,
     /// One value for each column.
     pub cells: Vec<Value>,

@@ -61,6 +61,9 @@ pub enum Value {
 }
 
 impl Value {
+    /// Nothing to say here: a cell that stays empty, unlike the undefined [`Value::None`].
+    pub const BLANK: Self = Self::Text(String::new());
+
     /// [`Value::Text`] of anything that prints.
     pub fn text(text: impl Display) -> Self {
         Self::Text(text.to_string())

@@ -5,6 +5,7 @@ use rasterscope_core::explain::Role;
 use crate::{
     figure::{Figure, Font, Shape, Stroke},
     geometry::{Rect, distance, edges, hatch},
+    labels::Anchor,
     placement::Placement,
     text,
     theme::{Color, Theme, ThemeName},
@@ -62,6 +63,8 @@ pub(crate) struct Canvas<'a> {
     pub(crate) kept_clear: Vec<Rect>,
     /// What labels avoid if they can: marks in cells.
     pub(crate) small: Vec<Rect>,
+    /// Areas that have a name, as far as they are on the canvas.
+    pub(crate) areas: Vec<Vec<[f64; 2]>>,
     /// Lines of the current step; no label may cover them.
     pub(crate) active_lines: Vec<[[f64; 2]; 2]>,
     /// All other lines of roles; labels avoid them if they can.
@@ -80,6 +83,7 @@ impl<'a> Canvas<'a> {
             layers: Default::default(),
             kept_clear: Vec::new(),
             small: Vec::new(),
+            areas: Vec::new(),
             active_lines: Vec::new(),
             lines: Vec::new(),
         }
@@ -185,6 +189,28 @@ impl<'a> Canvas<'a> {
         let stroke = border.map(|color| Stroke::solid(color, 1.0));
         self.push(Layer::Plate, Self::rect_shape(rect, 3.0, Some(fill), stroke));
         self.text(Layer::Text, rect.center(), text);
+    }
+
+    /// A plate in the colour of an object, with its name.
+    pub(crate) fn object_plate(&mut self, rect: Rect, object: usize, text: TextStyle<'_>) {
+        let stroke = Stroke::solid(self.theme.text, 1.5 + self.theme.extra_stroke * 0.5);
+        let fill = self.theme.object(object).0;
+        self.push(Layer::Plate, Self::rect_shape(rect, 3.0, Some(fill), Some(stroke)));
+        self.text(Layer::Text, rect.center(), TextStyle { color: self.theme.object_ink(), ..text });
+    }
+
+    /// The last part of a line right through the canvas, as long as a few words beside it.
+    pub(crate) fn far_end(&self, axis: usize, at: f32, words: &str) -> Option<Anchor> {
+        let size = self.theme.sizes.canvas;
+        let length =
+            TextStyle { text: words, font: Font::SansBold, size, color: self.theme.text }.measure()[0] + 24.0;
+        let at = self.points([at; 2])?[axis];
+        let far = self.frame.max[0];
+        Some(Anchor::Segment(if axis == 0 {
+            [[at, self.frame.min[1]], [at, self.frame.min[1] + 64.0]]
+        } else {
+            [[far, at], [far - length, at]]
+        }))
     }
 
     /// A line of text with its middle at `center`.

@@ -139,6 +139,7 @@ impl Cells {
                 let corner = narrow([rect.max[0] - inset, rect.min[1] + inset]);
                 let shapes = marker(style.marker, corner, radius, style.color, theme.canvas);
                 canvas.extend(Layer::Handle, shapes);
+                canvas.small.push(Rect::around(corner.map(f64::from), [f64::from(radius) * 2.0; 2]));
             }
             Role::Accepted => {
                 let color = if in_active_span { style.color } else { theme.text };
@@ -199,7 +200,7 @@ impl Cells {
             let style = TextStyle { text: line, font, size, color };
             let down = (i as f64 - (lines.len() as f64 - 1.0) / 2.0) * line_height;
             let center = [center[0], center[1] + down];
-            if !faint && cell >= 28.0 {
+            if cell >= 28.0 {
                 let height = if lines.len() > 1 { line_height } else { f64::from(size) * 1.4 };
                 let plate_rect = Rect::around(center, [(style.measure()[0] + 6.0).min(cell - 2.0), height]);
                 let shape = Canvas::rect_shape(plate_rect, 3.0, Some(plate.alpha(0.9)), None);
@@ -286,34 +287,40 @@ fn selection(canvas: &mut Canvas<'_>, rect: Rect) {
     canvas.kept_clear.push(rect.grown(f64::from(width) + 2.0));
 }
 
-/// A half-open span on the centre line of its row.
-pub(crate) fn span(canvas: &mut Canvas<'_>, y: i32, ends: [f32; 2], role: Role) {
-    let style = canvas.theme.style(role);
-    let middle = f64::from(y) + 0.5;
-    let [left, right] = ends.map(|x| canvas.placement.wide([f64::from(x), middle]));
-    if !left.iter().chain(&right).all(|c| c.is_finite()) {
-        return;
-    }
-    if role == Role::Active {
-        let [first, end] = covered(ends);
-        if first < end
-            && let Some(rect) = cell_rect(canvas, [first, y], [end - first, 1])
-        {
-            let color = canvas.active_fill();
-            canvas.push(Layer::Fill, Canvas::rect_shape(rect, 0.0, Some(color), None));
+impl Cells {
+    /// A half-open span on the centre line of its row; what is drawn of it keeps its colour.
+    pub(crate) fn span(&self, canvas: &mut Canvas<'_>, y: i32, ends: [f32; 2], role: Role) {
+        let style = canvas.theme.style(role);
+        let middle = f64::from(y) + 0.5;
+        let [left, right] = ends.map(|x| canvas.placement.wide([f64::from(x), middle]));
+        if !left.iter().chain(&right).all(|c| c.is_finite()) {
+            return;
         }
-    }
-    canvas.role_line(&[left, right], false, role);
-    let layer = Layer::Handle;
-    let grown = canvas.theme.extra_stroke;
-    if canvas.sees(left) {
-        canvas.push(layer, disc(narrow(left), 5.0 + grown, style.color));
-        canvas.kept_clear.push(Rect::around(left, [12.0; 2]));
-    }
-    if canvas.sees(right) {
-        canvas.push(layer, disc(narrow(right), 6.0 + grown, canvas.theme.canvas));
-        canvas.push(layer, ring(narrow(right), 6.0 + grown, style.color, 2.5 + grown));
-        canvas.kept_clear.push(Rect::around(right, [16.0; 2]));
+        if role == Role::Active {
+            let [first, end] = covered(ends);
+            let first = (first..end)
+                .take_while(|&x| self.objects.contains_key(&[x, y]))
+                .last()
+                .map_or(first, |x| x + 1);
+            if first < end
+                && let Some(rect) = cell_rect(canvas, [first, y], [end - first, 1])
+            {
+                let color = canvas.active_fill();
+                canvas.push(Layer::Fill, Canvas::rect_shape(rect, 0.0, Some(color), None));
+            }
+        }
+        canvas.role_line(&[left, right], false, role);
+        let layer = Layer::Handle;
+        let grown = canvas.theme.extra_stroke;
+        if canvas.sees(left) {
+            canvas.push(layer, disc(narrow(left), 5.0 + grown, style.color));
+            canvas.kept_clear.push(Rect::around(left, [12.0; 2]));
+        }
+        if canvas.sees(right) {
+            canvas.push(layer, disc(narrow(right), 6.0 + grown, canvas.theme.canvas));
+            canvas.push(layer, ring(narrow(right), 6.0 + grown, style.color, 2.5 + grown));
+            canvas.kept_clear.push(Rect::around(right, [16.0; 2]));
+        }
     }
 }
 

@@ -22,6 +22,9 @@ const CENTRES: f64 = 28.0;
 /// From this size of a cell on, each cell has its own lines.
 const LINES: f64 = 5.0;
 
+/// From this size of a cell on, lines may run over a picture.
+const FINE: f64 = 4.0;
+
 /// Rows and columns whose number on the ruler is lit.
 #[derive(Debug, Default)]
 pub(crate) struct Lit {
@@ -79,7 +82,7 @@ fn pixels(canvas: &mut Canvas<'_>, view: &View, cells: &Cells) {
         let across = [shown.min[1 - axis], shown.max[1 - axis]];
         for i in first..=end {
             let emphasised = i.rem_euclid(major) == 0;
-            if emphasised || cell >= LINES {
+            if cell >= LINES || emphasised && !(cells.pictured && cell < FINE) {
                 let at = cell_edge(canvas, axis, i);
                 let color = if emphasised { canvas.theme.grid_major } else { canvas.theme.grid };
                 grid_line(canvas, axis, at, across, color);

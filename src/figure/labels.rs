@@ -2,7 +2,7 @@
 //!
 //! A plate stands 14 points from its point: right below, left above, right above or left below,
 //! the first place that meets no handle, no other plate and no line of the current step; else
-//! farther off with a leader line. At most twelve plates show values, beyond that names only.
+//! farther off with a leader line. The name of an area stands inside it, in the colour of its object. At most twelve plates show values, beyond that names only.
 
 use rasterscope_core::{
     explain::{Label, Role},
@@ -13,6 +13,7 @@ use crate::{
     canvas::{Canvas, Layer, TextStyle, narrow},
     figure::{Font, Shape, Stroke},
     geometry::Rect,
+    interior,
     theme::Color,
 };
 
@@ -36,14 +37,14 @@ pub(crate) enum Anchor {
     Point([f64; 2]),
     /// The middle of a segment.
     Segment([[f64; 2]; 2]),
-    /// The middle of an area.
-    Area([f64; 2]),
+    /// An area: its number among those of the canvas, and its middle.
+    Area(usize, [f64; 2]),
 }
 
 impl Anchor {
     fn at(self) -> [f64; 2] {
         match self {
-            Self::Point(p) | Self::Area(p) => p,
+            Self::Point(p) | Self::Area(_, p) => p,
             Self::Segment([a, b]) => crate::geometry::mix(a, b, 0.5),
         }
     }
@@ -118,11 +119,11 @@ pub(crate) fn draw(canvas: &mut Canvas<'_>, wishes: &[Wish], held: Option<&Place
         let font = match wish.anchor {
             Anchor::Segment(_) if wish.role != Role::Active => Font::Mono,
             _ if phrase => Font::SansBold,
-            Anchor::Area(_) => Font::SansBold,
+            Anchor::Area(..) => Font::SansBold,
             _ => Font::MonoBold,
         };
         let size = match wish.anchor {
-            Anchor::Area(_) if !valued => canvas.theme.sizes.title,
+            Anchor::Area(..) if !valued => canvas.theme.sizes.title,
             _ => canvas.theme.sizes.canvas,
         };
         let style = TextStyle { text: &text, font, size, color: color(canvas, wish.role) };
@@ -136,7 +137,10 @@ pub(crate) fn draw(canvas: &mut Canvas<'_>, wishes: &[Wish], held: Option<&Place
             if places[index].leader {
                 leader(canvas, at, rect);
             }
-            canvas.plate(rect, canvas.theme.canvas.alpha(0.9), None, style);
+            match wish.label.object {
+                Some(object) => canvas.object_plate(rect, object, style),
+                None => canvas.plate(rect, canvas.theme.canvas.alpha(0.9), None, style),
+            }
             canvas.kept_clear.push(rect);
         }
     }
@@ -146,6 +150,12 @@ pub(crate) fn draw(canvas: &mut Canvas<'_>, wishes: &[Wish], held: Option<&Place
 /// The first place that is free.
 fn place(canvas: &Canvas<'_>, anchor: Anchor, size: [f64; 2]) -> Place {
     let at = anchor.at();
+    if let Anchor::Area(index, _) = anchor
+        && let Some([x, y]) =
+            interior::place(&canvas.areas, index, size, |rect, strictly| free(canvas, rect, strictly))
+    {
+        return Place { offset: Some([x - at[0], y - at[1]]), leader: false };
+    }
     let mut near = near(anchor, size);
     for offset in near.iter_mut().filter(|offset| offset[1].abs() > GAP) {
         // Above or below its point a plate may slide to stay on the canvas.
@@ -191,10 +201,8 @@ fn near(anchor: Anchor, [width, height]: [f64; 2]) -> Vec<[f64; 2]> {
     };
     match anchor {
         Anchor::Point(_) => around(GAP),
-        Anchor::Area(_) => {
-            offsets.push([0.0, 0.0]);
-            around_area(&mut offsets, height);
-        }
+        // Beside an area a name would be read as that of another: a line must lead to it.
+        Anchor::Area(..) => {}
         Anchor::Segment([a, b]) => {
             let length = crate::geometry::distance(a, b).max(1e-9);
             let normal = [(a[1] - b[1]) / length, (b[0] - a[0]) / length];
@@ -208,15 +216,6 @@ fn near(anchor: Anchor, [width, height]: [f64; 2]) -> Vec<[f64; 2]> {
         }
     }
     offsets
-}
-
-/// Places in the middle of an area, one line of text apart.
-fn around_area(offsets: &mut Vec<[f64; 2]>, height: f64) {
-    for ring in [1.2, 2.4] {
-        for [x, y] in [[0.0, 1.0], [0.0, -1.0], [1.0, 0.0], [-1.0, 0.0]] {
-            offsets.push([x * ring * height, y * ring * height]);
-        }
-    }
 }
 
 /// Whether a plate may stand there; `strictly`: clear also of what it might cover if need be.

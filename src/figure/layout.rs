@@ -6,7 +6,7 @@
 
 use rasterscope_core::{
     explain::{Grid, Label, Mark, Role, View},
-    message::Message,
+    message::{Message, Value},
 };
 
 use crate::{
@@ -53,28 +53,40 @@ pub fn draw_held(
     let cells = Cells::of(marks);
     grid::draw(&mut canvas, view, &cells);
     let mut wishes = Vec::new();
-    let mut wish = |anchor: Option<Anchor>, label: &Option<Label>, role: Role| {
+    let mut wish = |anchor: Option<Anchor>, label: Option<Label>, role: Role| {
         if let (Some(anchor), Some(label)) = (anchor, label) {
-            wishes.push(Wish { anchor, label: label.clone(), role });
+            wishes.push(Wish { anchor, label, role });
         }
     };
     for (index, mark) in marks.iter().enumerate() {
         match mark {
             Mark::Point { at, role, label } => {
                 let marked = *role == Role::Active && cells.ends_span(*at);
-                wish(point(&mut canvas, *at, *role, marked), label, *role);
+                wish(point(&mut canvas, *at, *role, marked), label.clone(), *role);
             }
             Mark::Segment { ends, role, label } => {
-                wish(segment(&mut canvas, *ends, *role), label, *role);
+                wish(segment(&mut canvas, *ends, *role), label.clone(), *role);
             }
-            Mark::Guide { axis, at, role, label } => {
-                guide(&mut canvas, view, usize::from(*axis != 0), *at, *role, label);
+            Mark::Guide { axis, at, role, label, note } => {
+                let axis = usize::from(*axis != 0);
+                if guide(&mut canvas, view, axis, *at, *role, label).is_some()
+                    && let Some(note) = note
+                {
+                    let text = words.message(note);
+                    wish(canvas.far_end(axis, *at, &text), Some(Label::name(text)), *role);
+                }
             }
             Mark::Polygon { points, role, object, label } => {
-                wish(polygon(&mut canvas, view, points, *role, *object), label, *role);
+                let visible = polygon(&mut canvas, view, points, *role, *object);
+                if let (Some(label), false) = (label, visible.is_empty()) {
+                    let anchor = Anchor::Area(canvas.areas.len(), centroid(&visible));
+                    canvas.areas.push(visible);
+                    let object = label.object.or(*object);
+                    wish(Some(anchor), Some(Label { object, ..label.clone() }), *role);
+                }
             }
             Mark::Pixel { .. } => cells.pixel(&mut canvas, index, mark),
-            Mark::Span { y, ends, role } => cells::span(&mut canvas, *y, *ends, *role),
+            Mark::Span { y, ends, role } => cells.span(&mut canvas, *y, *ends, *role),
             Mark::Text { at, label, role, big } => text(&mut canvas, *at, label, *role, *big),
             Mark::Image { size, rgba } => image(&mut canvas, *size, rgba),
         }
@@ -115,10 +127,18 @@ fn segment(canvas: &mut Canvas<'_>, ends: [[f32; 2]; 2], role: Role) -> Option<A
     Some(Anchor::Segment(visible))
 }
 
-fn guide(canvas: &mut Canvas<'_>, view: &View, axis: usize, at: f32, role: Role, label: &Option<Label>) {
-    let Some(at) = canvas.points([at; 2]).map(|p| p[axis]) else { return };
+/// `None` if the line is off the canvas.
+fn guide(
+    canvas: &mut Canvas<'_>,
+    view: &View,
+    axis: usize,
+    at: f32,
+    role: Role,
+    label: &Option<Label>,
+) -> Option<()> {
+    let at = canvas.points([at; 2]).map(|p| p[axis])?;
     if !(0.0..=canvas.rect.max[axis]).contains(&at) {
-        return;
+        return None;
     }
     let across = [canvas.frame.min[1 - axis], canvas.frame.max[1 - axis]];
     let line = across.map(|along| if axis == 0 { [at, along] } else { [along, at] });
@@ -138,16 +158,19 @@ fn guide(canvas: &mut Canvas<'_>, view: &View, axis: usize, at: f32, role: Role,
     if let Some(label) = label {
         labels::guide(canvas, axis, at, label, role);
     }
+    Some(())
 }
 
+/// Draws a polygon; answers the part of it on the canvas.
 fn polygon(
     canvas: &mut Canvas<'_>,
     view: &View,
     points: &[[f32; 2]],
     role: Role,
     object: Option<usize>,
-) -> Option<Anchor> {
-    let points: Vec<_> = points.iter().map(|&p| canvas.points(p)).collect::<Option<_>>()?;
+) -> Vec<[f64; 2]> {
+    let points: Option<Vec<_>> = points.iter().map(|&p| canvas.points(p)).collect();
+    let Some(points) = points else { return Vec::new() };
     let theme = canvas.theme;
     let style = theme.style(role);
     if let Some(index) = object {
@@ -174,15 +197,15 @@ fn polygon(
         canvas.hatch(&points, style.color.alpha(0.55));
     }
     canvas.role_line(&points, true, role);
-    let visible = canvas.rect.clip_polygon(&points);
-    (!visible.is_empty()).then(|| Anchor::Area(centroid(&visible)))
+    canvas.rect.clip_polygon(&points)
 }
 
 /// Free text; the codes of regions stand a little inside the corner at which they are put.
 fn text(canvas: &mut Canvas<'_>, at: [f32; 2], label: &Label, role: Role, big: bool) {
     let Some(at) = canvas.points(at) else { return };
     let theme = canvas.theme;
-    let (text, phrase) = labels::written(canvas, label, true);
+    let noted = big && !label.name.is_empty() && label.value != Value::None;
+    let (text, phrase) = labels::written(canvas, label, !noted);
     let quiet = matches!(role, Role::Candidate | Role::Skipped);
     let font = match (phrase, quiet) {
         (true, true) => Font::Sans,
@@ -193,27 +216,45 @@ fn text(canvas: &mut Canvas<'_>, at: [f32; 2], label: &Label, role: Role, big: b
     let size = if big { theme.sizes.region } else { theme.sizes.canvas };
     let color = if quiet { theme.dim } else { labels::color(canvas, role) };
     let style = TextStyle { text: &text, font, size, color };
-    let extent = style.measure();
-    // Clear of the plate of a guide through the corner.
+    // A big text stands clear of the plate of a guide through the corner.
     let down = f64::from(theme.sizes.canvas) * labels::PLATE / 2.0 + 3.0;
-    let min = if big { [at[0] + 12.0, at[1] + down] } else { [at[0] + 6.0, at[1] + 3.0] };
-    let rect = Rect { min, max: [min[0] + extent[0], min[1] + extent[1]] };
-    let hidden = |other: &Rect| other.overlaps(rect);
-    if text.is_empty() || !rect.inside(canvas.rect) || canvas.kept_clear.iter().any(hidden) {
+    let corner = if big { [at[0] + 12.0, at[1] + down] } else { [at[0] + 12.0, at[1] + 3.0] };
+    let Some(rect) = free_below(canvas, corner, style.measure()) else { return };
+    if text.is_empty() {
         return;
     }
-    if big {
-        canvas.text(Layer::Text, rect.center(), style);
-        if !quiet {
-            let foot = rect.max[1] + 1.0;
-            let stroke = Stroke::solid(color, 2.0 + theme.extra_stroke);
-            canvas.line(Layer::Text, &[[rect.min[0], foot], [rect.max[0], foot]], false, stroke);
-        }
-    } else {
-        let plate = rect.grown(3.0);
-        canvas.plate(plate, theme.canvas.alpha(0.9), None, style);
-    }
     canvas.kept_clear.push(rect);
+    if !big {
+        return canvas.plate(rect.grown(3.0), theme.canvas.alpha(0.9), None, style);
+    }
+    canvas.text(Layer::Text, rect.center(), style);
+    if !quiet {
+        let foot = rect.max[1] + 1.0;
+        let stroke = Stroke::solid(color, 2.0 + theme.extra_stroke);
+        canvas.line(Layer::Text, &[[rect.min[0], foot], [rect.max[0], foot]], false, stroke);
+    }
+    if noted {
+        let note = canvas.words.value(&label.value);
+        let style = TextStyle { text: &note, font: Font::Mono, size: theme.sizes.canvas, color: theme.dim };
+        let extent = style.measure();
+        let min = [rect.max[0] + 10.0, rect.center()[1] - extent[1] / 2.0 + 2.0];
+        let rect = Rect { min, max: [min[0] + extent[0], min[1] + extent[1]] };
+        if rect.inside(canvas.rect) && !canvas.kept_clear.iter().any(|other| other.overlaps(rect)) {
+            canvas.kept_clear.push(rect);
+            canvas.text(Layer::Text, rect.center(), style);
+        }
+    }
+}
+
+/// A place of that size at a corner, or at most two lines below it; `None` if those are taken.
+fn free_below(canvas: &Canvas<'_>, corner: [f64; 2], [width, height]: [f64; 2]) -> Option<Rect> {
+    let mut rect = Rect { min: corner, max: [corner[0] + width, corner[1] + height] };
+    for _ in 0..3 {
+        let taken = canvas.kept_clear.iter().find(|other| other.overlaps(rect));
+        let Some(taken) = taken else { return Some(rect).filter(|rect| rect.inside(canvas.rect)) };
+        rect = rect.shifted([0.0, taken.max[1] + 3.0 - rect.min[1]]);
+    }
+    None
 }
 
 fn image(canvas: &mut Canvas<'_>, size: [usize; 2], rgba: &std::sync::Arc<Vec<u8>>) {

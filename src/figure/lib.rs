@@ -23,6 +23,7 @@ pub mod text;
 mod canvas;
 mod cells;
 mod grid;
+mod interior;
 mod labels;
 pub mod layout;
 pub mod orbit;

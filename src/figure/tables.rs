@@ -10,6 +10,8 @@ use crate::{
     words::Words,
 };
 
+pub use crate::words::Run;
+
 /// A table ready to be painted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TextTable {
@@ -75,7 +77,7 @@ fn one(table: &Table, before: &[Table], words: &Words) -> TextTable {
                 && !old_row.and_then(|old| old.cells.get(column)).is_some_and(|old| same(old, value)),
         });
         rows.push(TextRow {
-            name: row.name.clone(),
+            name: row_name(&row.name, words),
             cells: cells.collect(),
             active: row.active,
             role: row.role,
@@ -92,6 +94,11 @@ fn one(table: &Table, before: &[Table], words: &Words) -> TextTable {
 fn namesake<'a>(old: &'a [Row], earlier: &[Row], row: &Row) -> Option<&'a Row> {
     let nth = earlier.iter().filter(|each| each.name == row.name).count();
     old.iter().filter(|each| each.name == row.name).nth(nth)
+}
+
+/// A row's heading: the words of a message id that starts with `row-`, else as it stands.
+pub fn row_name(name: &str, words: &Words) -> String {
+    if name.starts_with("row-") && words.has(name) { words.word(name) } else { name.to_owned() }
 }
 
 fn heading(heading: &'static str, words: &Words) -> String {
@@ -144,26 +151,35 @@ fn same(a: &Value, b: &Value) -> bool {
     }
 }
 
-/// A piece of a formula's line.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Run {
-    /// What is written.
-    pub text: String,
-    /// Whether it is a number put in: bold.
-    pub strong: bool,
-    /// Whether it is the result: wears the highlighter.
-    pub highlighted: bool,
-}
-
-/// The formula in its names, and with this step's numbers.
+/// The formula in its names, and with this step's numbers: `=` under `=`, a negative number behind
+/// another sign in parentheses.
 pub fn formula(formula: &Formula, words: &Words) -> [Vec<Run>; 2] {
-    let plain = |text: &str| Run { text: text.to_owned(), strong: false, highlighted: false };
-    let numbers = formula.numbers.iter().map(|piece| match piece {
-        Piece::Text(text) => plain(text),
-        Piece::Number(value) => Run { text: words.value(value), strong: true, highlighted: false },
-        Piece::Result(value) => Run { text: words.value(value), strong: true, highlighted: true },
-    });
-    [vec![plain(formula.general)], numbers.collect()]
+    let plain = |text: String| Run { text, strong: false, highlighted: false };
+    let mut numbers: Vec<Run> = Vec::with_capacity(formula.numbers.len());
+    for piece in &formula.numbers {
+        let (value, highlighted) = match piece {
+            Piece::Text(text) => {
+                numbers.push(plain((*text).to_owned()));
+                continue;
+            }
+            Piece::Number(value) => (value, false),
+            Piece::Result(value) => (value, true),
+        };
+        let text = words.value(value);
+        let behind_sign =
+            numbers.last().is_some_and(|run| run.text.trim_end().ends_with(['+', numbers::MINUS, '·', '/']));
+        if behind_sign && text.starts_with(numbers::MINUS) {
+            numbers.extend([plain("(".into()), Run { text, strong: true, highlighted }, plain(")".into())]);
+        } else {
+            numbers.push(Run { text, strong: true, highlighted });
+        }
+    }
+    if let (Some(at), Some(first)) = (formula.general.find(['=', '←']), numbers.first_mut())
+        && first.text.starts_with('=')
+    {
+        first.text.insert_str(0, &" ".repeat(formula.general[..at].chars().count()));
+    }
+    [vec![plain(formula.general.to_owned())], numbers]
 }
 
 #[cfg(test)]
@@ -207,6 +223,34 @@ mod tests {
             let text = exact(&value, &words);
             assert!(text.contains(' ') && !text.contains('⟨'), "{text}");
         }
+    }
+
+    #[test]
+    fn numbers_stand_under_their_names_and_negative_ones_behind_signs_in_parentheses() {
+        let words = Words::default();
+        let number = |x: f32| Piece::Number(Value::F32(x));
+        let shown = Formula {
+            general: "dx/dy = x1 − x0",
+            numbers: vec![
+                Piece::Text("= "),
+                number(-2.0),
+                Piece::Text(" − "),
+                number(-0.5),
+                Piece::Text(" = "),
+                Piece::Result(Value::F32(-1.5)),
+            ],
+        };
+        let [_, numbers] = formula(&shown, &words);
+        let line: String = numbers.iter().map(|run| run.text.as_str()).collect();
+        assert_eq!(line, "      = −2 − (−0.5) = −1.5");
+    }
+
+    #[test]
+    fn rows_may_be_named_by_the_language() {
+        let words = Words::default();
+        assert_eq!(row_name("row-boat", &words), "row-boat");
+        assert_eq!(row_name("P1", &words), "P1");
+        assert!(!row_name("row-after", &words).starts_with("row-"));
     }
 
     #[test]

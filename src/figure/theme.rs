@@ -214,6 +214,11 @@ impl Theme {
     pub fn object(&self, index: usize) -> (Color, bool) {
         (self.objects[index % self.objects.len()], index >= self.objects.len())
     }
+
+    /// The colour of a name on an object's opaque fill.
+    pub fn object_ink(&self) -> Color {
+        if self.name == ThemeName::Dark { self.canvas } else { self.text }
+    }
 }
 
 /// Sizes of text in points.
@@ -293,6 +298,10 @@ mod tests {
                 }
             }
             assert!(contrast(theme.edge, theme.canvas) >= 3.0);
+            for object in theme.objects {
+                // Names of objects are large and bold.
+                assert!(contrast(theme.object_ink(), object) >= 4.0, "{:?} {}", theme.name, object.css());
+            }
         }
     }
 

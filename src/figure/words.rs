@@ -13,6 +13,32 @@ use unic_langid::LanguageIdentifier;
 
 use crate::numbers;
 
+/// Stands before and after what is bold in a sentence of the language files: `**bottom**`.
+const STRONG: &str = "**";
+
+/// A piece of a line of text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Run {
+    /// What is written.
+    pub text: String,
+    /// Whether it is bold.
+    pub strong: bool,
+    /// Whether it is the result of a formula: wears the highlighter.
+    pub highlighted: bool,
+}
+
+/// A text of the language files in pieces: what stands between two `**` is bold.
+pub fn runs(marked: &str) -> Vec<Run> {
+    let pieces = marked.split(STRONG).enumerate().filter(|(_, text)| !text.is_empty());
+    let run = |(i, text): (usize, &str)| Run { text: text.into(), strong: i % 2 == 1, highlighted: false };
+    pieces.map(run).collect()
+}
+
+/// A text of the language files as plain text.
+pub fn plain(marked: &str) -> String {
+    marked.replace(STRONG, "")
+}
+
 /// One language: its tag and its files by name.
 #[derive(Clone, Copy, Debug)]
 pub struct Language {
@@ -96,14 +122,19 @@ impl Words {
         self.language.tag
     }
 
-    /// The sentence of `message` with its values; `⟨id⟩` if there is none.
+    /// The sentence of `message` with its values, as plain text; `⟨id⟩` if there is none.
     pub fn message(&self, message: &Message) -> String {
         self.try_message(message).unwrap_or_else(|_| format!("⟨{}⟩", message.id))
     }
 
-    /// The word or phrase `id`; `⟨id⟩` if there is none.
+    /// The sentence of `message` with what is bold in it; `⟨id⟩` if there is none.
+    pub fn runs(&self, message: &Message) -> Vec<Run> {
+        runs(&self.format(message.id, &message.args).unwrap_or_else(|_| format!("⟨{}⟩", message.id)))
+    }
+
+    /// The word or phrase `id`, as plain text; `⟨id⟩` if there is none.
     pub fn word(&self, id: &str) -> String {
-        self.format(id, &[]).unwrap_or_else(|_| format!("⟨{id}⟩"))
+        self.format(id, &[]).map_or_else(|_| format!("⟨{id}⟩"), |marked| plain(&marked))
     }
 
     /// Whether there is a message `id`.
@@ -119,9 +150,9 @@ impl Words {
         }
     }
 
-    /// The sentence of `message`, or what is wrong with it: unknown, or a value missing.
+    /// The sentence of `message` as plain text, or what is wrong with it: unknown, or a value missing.
     pub fn try_message(&self, message: &Message) -> Result<String, String> {
-        self.format(message.id, &message.args)
+        self.format(message.id, &message.args).map(|marked| plain(&marked))
     }
 
     fn format(&self, id: &str, args: &[(&'static str, Value)]) -> Result<String, String> {
@@ -183,6 +214,19 @@ mod tests {
         let text = words.message(&message);
         assert!(text.contains("1\u{2009}204"), "{text}");
         assert!(!text.contains('\u{2068}'), "isolation marks: {text}");
+    }
+
+    #[test]
+    fn bold_words_are_runs_of_their_own_and_plain_text_has_no_signs() {
+        let pieces = |marked| runs(marked).into_iter().map(|run| (run.text, run.strong)).collect::<Vec<_>>();
+        let piece = |text: &str, strong| (text.to_owned(), strong);
+        assert_eq!(
+            pieces("the **bottom** bit"),
+            [piece("the ", false), piece("bottom", true), piece(" bit", false)]
+        );
+        assert_eq!(pieces("**P1** moves"), [piece("P1", true), piece(" moves", false)]);
+        assert_eq!(pieces(""), []);
+        assert_eq!(plain("the **bottom** bit"), "the bottom bit");
     }
 
     #[test]

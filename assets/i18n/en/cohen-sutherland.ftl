@@ -1,19 +1,24 @@
-# Cohen-Sutherland line clipping
+# Cohen-Sutherland line clipping. What stands between two ** is bold.
 
 cohen-sutherland = Cohen–Sutherland
 cohen-sutherland-about = Give each end a 4-bit code, then cut at one border at a time.
 cohen-sutherland-opening = Each end gets a code: one bit for each border it lies beyond.
-cohen-sutherland-code = { $end } lies beyond a border: its code is { $code }.
-cohen-sutherland-code-inside = { $end } lies inside the window: its code is 0000.
+cohen-sutherland-code = **{ $end }** lies beyond { $borders ->
+    [one] the **{ $first }** border
+   *[other] the **{ $first }** and the **{ $second }** border
+}: its code is { $code }.
+cohen-sutherland-code-inside = **{ $end }** lies beyond no border: its code is 0000, inside.
 cohen-sutherland-or = OR gives { $code }, not 0: at least one end is outside.
 cohen-sutherland-or-zero = OR gives 0000: both ends are inside.
-cohen-sutherland-accept = What is left of the segment is visible.
-cohen-sutherland-and = AND gives { $code }: both ends lie beyond the same border.
-cohen-sutherland-and-zero = AND gives 0000: no border has both ends beyond it, so the segment may cross the window.
-cohen-sutherland-reject = The whole segment lies beyond the { $border } border: nothing is visible.
-cohen-sutherland-give-up = Rounding put an end back outside: after { $cuts } cuts the algorithm gives up.
-cohen-sutherland-choose = The first bit that differs is { $border }: it is 1 at { $end }, so { $end } moves.
-cohen-sutherland-cut = { $end } moves to { $axis } = { $border }, to { $to }. Its new code is { $code }.
+cohen-sutherland-accept = Both ends are inside, so everything between them is **visible**.
+cohen-sutherland-and = AND gives { $code }, not 0: both ends lie beyond the **{ $border }** border.
+cohen-sutherland-and-zero = AND gives 0000: no border has both ends beyond it, so the line may cross the window.
+cohen-sutherland-reject = Both ends lie beyond the **{ $border }** border, and so does everything between them: **nothing is visible**.
+cohen-sutherland-give-up = Rounding put an end back outside. After { $cuts } cuts the algorithm gives up.
+cohen-sutherland-choose = The first bit that differs is **{ $border }**: 1 at { $end }, 0 at { $other }. So { $end } moves to the border { $axis } = { $at }.
+cohen-sutherland-cut = **{ $end }** moves along the line to { $axis } = { $border }. At { $to } its code is { $code }.
+cohen-sutherland-cutting = cutting at { $axis } = { $border }
+cohen-sutherland-legend = T B R L  top, bottom, right, left
 cohen-sutherland-ends = Ends
 cohen-sutherland-window = Window
 cohen-sutherland-marker-top = cut top

@@ -1,29 +1,35 @@
-# Z-buffer
+# Z-buffer. What stands between two ** is bold.
 
 z-buffer = Z-buffer
 z-buffer-about = Each pixel keeps the depth of what it shows; a fragment is drawn only if its own depth passes against that.
 z-buffer-opening = Every pixel starts empty, at depth { $clear }.
-z-buffer-triangle = Triangle { $object } is drawn next.
-z-buffer-row = Row { $y } of { $object }: { $first } ≤ x < { $end }, { $count ->
-    [one] one fragment
+z-buffer-triangle = Triangle **{ $object }** is drawn next.
+z-buffer-row = Row { $y }: **{ $object }** covers { $first } ≤ x < { $end }, { $count ->
+    [one] 1 fragment
    *[other] { $count } fragments
 }.
-z-buffer-fragment = Pixel ({ $x }, { $y }): { $object } arrives at depth { $new }; { $before } is there at { $stored }.
-z-buffer-fragment-empty = Pixel ({ $x }, { $y }): { $object } arrives at depth { $new }; the pixel is empty, at { $stored }.
-z-buffer-pass = Pixel ({ $x }, { $y }): { $object } passes: { $new } { $sign } { $stored }.
-z-buffer-pass-nearer = Pixel ({ $x }, { $y }): { $object } passes: { $new } < { $stored }, so { $object } is nearer.
-z-buffer-pass-always = Pixel ({ $x }, { $y }): { $object } passes, as everything does.
-z-buffer-pass-untested = Pixel ({ $x }, { $y }): { $object } is drawn; there is no depth test.
-z-buffer-pass-unwritten = Pixel ({ $x }, { $y }): { $object } passes: { $new } { $sign } { $stored }. Its depth is not written.
-z-buffer-fail = Pixel ({ $x }, { $y }): { $object } fails: { $new } { $sign } { $stored }, so { $before } stays.
-z-buffer-fail-empty = Pixel ({ $x }, { $y }): { $object } fails: { $new } { $sign } { $stored }, so the pixel stays empty.
-z-buffer-fail-never = Pixel ({ $x }, { $y }): { $object } fails, as everything does.
-z-buffer-done = { $object } is done: { $passed } of { $count } fragments passed.
-z-buffer-done-empty = { $object } is done: no pixel centre lies inside it.
+z-buffer-fragment = Pixel ({ $x }, { $y }): **{ $object }** arrives at depth { $new }. **{ $before }** is there, at { $stored }.
+z-buffer-fragment-empty = Pixel ({ $x }, { $y }): **{ $object }** arrives at depth { $new }. The pixel is empty, at { $stored }.
+z-buffer-pass = Pixel ({ $x }, { $y }): **{ $object } passes**, for { $new } { $sign } { $stored }.
+z-buffer-pass-nearer = Pixel ({ $x }, { $y }): **{ $object } passes**. { $new } < { $stored }, so { $object } is nearer than { $before }.
+z-buffer-pass-always = Pixel ({ $x }, { $y }): **{ $object } passes**, as everything does.
+z-buffer-pass-untested = Pixel ({ $x }, { $y }): **{ $object } is drawn**; there is no depth test.
+z-buffer-pass-unwritten = Pixel ({ $x }, { $y }): **{ $object } passes**, for { $new } { $sign } { $stored }. Its depth is not written.
+z-buffer-fail = Pixel ({ $x }, { $y }): **{ $object } fails**. { $new } { $sign } { $stored }, so { $before } stays.
+z-buffer-fail-empty = Pixel ({ $x }, { $y }): **{ $object } fails**. { $new } { $sign } { $stored }, so the pixel stays empty.
+z-buffer-fail-never = Pixel ({ $x }, { $y }): **{ $object } fails**, as everything does.
+z-buffer-done = **{ $object }** is done: { $passed } of { $count ->
+    [one] 1 fragment
+   *[other] { $count } fragments
+} passed.
+z-buffer-done-empty = **{ $object }** is done: no pixel centre lies inside it.
 z-buffer-test = Test
 z-buffer-bits = Code, bit by bit
 z-buffer-counts = Fragments
 z-buffer-marker-triangle = triangle
+row-before = before
+row-arrives = arrives
+row-after = after
 column-object = object
 column-depth = depth
 column-code = code

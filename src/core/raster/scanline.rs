@@ -8,6 +8,7 @@
 mod bounds;
 mod explain;
 mod formulas;
+mod sentences;
 
 pub use explain::Snapshot;
 

@@ -81,7 +81,7 @@ fn clipping() -> (View, Vec<Mark>) {
         (0, 9.0, "xmax", Role::Candidate),
         (0, 3.5, "xmin", Role::Candidate),
     ] {
-        marks.push(Mark::Guide { axis, at, role, label: Some(Label::new(name, at)) });
+        marks.push(Mark::Guide { axis, at, role, label: Some(Label::new(name, at)), note: None });
     }
     for (y, vertical) in [(9.9, 0b1000), (6.5, 0), (2.0, 0b0100)] {
         for (x, horizontal) in [(-0.8, 0b0001), (3.5, 0), (9.0, 0b0010)] {
@@ -115,7 +115,7 @@ fn scan_conversion() -> (View, Vec<Mark>) {
     for (y, first, end) in [(4, 4, 9), (5, 3, 10), (6, 3, 8), (7, 3, 5)] {
         marks.extend((first..end).map(|x| pixel([x, y], Role::Candidate, None)));
     }
-    marks.push(Mark::Guide { axis: 1, at: 4.5, role: Role::Active, label: None });
+    marks.push(Mark::Guide { axis: 1, at: 4.5, role: Role::Active, label: None, note: None });
     marks.push(Mark::Span { y: 4, ends: [3.5, 9.125], role: Role::Active });
     for (ends, slope) in [([v0, v1], 1.25), ([v0, v2], -0.25), ([v1, v2], -3.25)] {
         let label = Some(Label::new("dx/dy", slope));

@@ -133,7 +133,7 @@ fn marks_of_any_size_draw_something_bounded() {
             object: Some(9),
             label: Some(Label::name("T")),
         },
-        Mark::Guide { axis: 0, at: f32::NAN, role: Role::Active, label: None },
+        Mark::Guide { axis: 0, at: f32::NAN, role: Role::Active, label: None, note: None },
         Mark::Span { y: i32::MAX, ends: [f32::NEG_INFINITY, huge], role: Role::Active },
         Mark::Pixel { at: [i32::MIN, 3], role: Role::Active, object: None, value: Value::F32(1.0) },
         Mark::Text { at: [huge, 0.0], label: Label::name("x"), role: Role::Tie, big: true },

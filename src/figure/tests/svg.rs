@@ -28,7 +28,7 @@ fn marks() -> Vec<Mark> {
         let points = vec![[x, y + 2.0], [x + 1.6, y + 2.0], [x + 0.4, y + 2.4], [x, y + 3.6]];
         marks.push(Mark::Polygon { points, role, object: (i > 3).then_some(i), label: None });
         marks.push(Mark::Pixel { at: [i as i32, 8], role, object: Some(i), value: Value::F32(0.25) });
-        marks.push(Mark::Guide { axis: 0, at: x + 1.9, role, label });
+        marks.push(Mark::Guide { axis: 0, at: x + 1.9, role, label, note: None });
     }
     marks.push(Mark::Span { y: 9, ends: [1.25, 7.5], role: Role::Active });
     marks.push(Mark::Text { at: [0.0, 4.0], label: Label::name("⌈0101⌉"), role: Role::Tie, big: true });

@@ -7,6 +7,7 @@
 
 mod explain;
 mod forms;
+mod formulas;
 
 pub use explain::Snapshot;
 

@@ -144,6 +144,14 @@ impl End {
             Self::P2 => "P2",
         }
     }
+
+    /// The other one.
+    pub fn other(self) -> Self {
+        match self {
+            Self::P1 => Self::P2,
+            Self::P2 => Self::P1,
+        }
+    }
 }
 
 /// Four bits saying beyond which borders a point lies; 0 is inside. Written top, bottom, right,

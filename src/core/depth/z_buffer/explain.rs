@@ -10,6 +10,8 @@ use crate::{
 
 /// Images up to this many pixels show empty pixels with their clear value.
 const SHOWS_CLEAR: usize = 1024;
+/// What a pixel held, what comes to it, what it holds then: message ids.
+const ROWS: [&str; 3] = ["row-before", "row-arrives", "row-after"];
 
 impl Explain for Snapshot {
     const NAME: &'static str = "z-buffer";
@@ -102,8 +104,8 @@ impl Explain for Snapshot {
             let width = self.settings.format.bits();
             let bits = |code| vec![Value::Bits { bits: code, width }];
             let rows = vec![
-                Row::new("stored", bits(fragment.stored)),
-                Row::new("stored′", bits(self.image.depth.code([fragment.x, self.y]))),
+                Row::new("row-before", bits(fragment.stored)),
+                Row::new("row-after", bits(self.image.depth.code([fragment.x, self.y]))),
             ];
             out.push(Table { title: "z-buffer-bits", columns: vec!["column-bits"], rows });
         }
@@ -124,9 +126,9 @@ impl Explain for Snapshot {
         for (triangle, index) in self.triangles.iter().zip(0..) {
             let points = triangle.map(|[x, y, _]| [x, y]);
             let role = if self.triangle == Some(index) { Role::Neutral } else { Role::Candidate };
-            out.push(Mark::Polygon { points: points.to_vec(), role, object: None, label: None });
-            let label = Some(Label::name(&self.names[index as usize].text));
-            out.push(Mark::Point { at: points[0], role: Role::Neutral, label });
+            let name = &self.names[index as usize];
+            let label = Some(Label::name(&name.text).of(name.object));
+            out.push(Mark::Polygon { points: points.to_vec(), role, object: None, label });
         }
         if let Some(fragment) = self.fragment {
             out.push(self.cell([fragment.x, self.y], Role::Active));
@@ -211,8 +213,7 @@ impl Snapshot {
             vec!["column-object", "column-depth", "column-hex"]
         };
         let Some(fragment) = self.fragment else {
-            let rows =
-                ["stored", "new", "stored′"].map(|name| Row::new(name, vec![Value::None; columns.len()]));
+            let rows = ROWS.map(|name| Row::new(name, vec![Value::None; columns.len()]));
             return Table { title: "z-buffer-test", columns, rows: rows.to_vec() };
         };
         let pixel = [fragment.x, self.y];
@@ -229,10 +230,11 @@ impl Snapshot {
             Some(true) => Role::Accepted,
             Some(false) => Role::Rejected,
         };
+        let [before, arrives, after] = ROWS;
         let rows = vec![
-            row("stored", fragment.owner, fragment.stored),
-            row("new", self.triangle, fragment.code).role(verdict),
-            row("stored′", self.image.owner(pixel), self.image.depth.code(pixel)).active(true),
+            row(before, fragment.owner, fragment.stored),
+            row(arrives, self.triangle, fragment.code).role(verdict),
+            row(after, self.image.owner(pixel), self.image.depth.code(pixel)).active(true),
         ];
         Table { title: "z-buffer-test", columns, rows }
     }

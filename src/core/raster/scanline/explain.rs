@@ -1,12 +1,17 @@
 //! What the lab shows of a scan line run.
 
-use super::{Between, Event, Side};
+use super::{Between, Event, Side, fill};
 use crate::{
     explain::{Explain, Formula, Label, Level, Mark, Marker, Role, Row, Table, View},
+    math::Tally,
     message::{Message, Value},
-    raster::{Settings, Span, YAxis, view::view_of},
+    raster::{Settings, Span, view::view_of},
     replay::State,
 };
+use std::sync::Arc;
+
+/// Of triangles up to this many pixels those still to come are shown.
+const SHOWS_PENDING: u64 = 2048;
 
 /// A row of the span table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,10 +20,10 @@ pub(super) struct SpanRow {
     /// Where the row meets the edges, by side, once computed.
     pub(super) crossings: [Option<(Between, f64)>; 2],
     /// First column and the one past the last, once found.
-    ends: [Option<u32>; 2],
+    pub(super) ends: [Option<u32>; 2],
     /// The centre that lies on the edge of each side, and whether that edge draws it.
     ties: [Option<(u32, bool)>; 2],
-    span: Option<[u32; 2]>,
+    pub(super) span: Option<[u32; 2]>,
     /// Pixels drawn so far.
     drawn: u32,
 }
@@ -30,17 +35,24 @@ pub struct Snapshot {
     given: [[f32; 2]; 3],
     pub(super) vertices: [[f32; 2]; 3],
     pub(super) settings: Settings,
-    order: Option<[u8; 3]>,
+    pub(super) order: Option<[u8; 3]>,
     /// Slopes by edge; a horizontal edge has none.
     pub(super) slopes: [Option<f64>; 3],
     pub(super) rows: Vec<SpanRow>,
     /// Whether the last row of the table is being worked on.
     in_row: bool,
+    /// The spans that the run will find; none of a large triangle.
+    outcome: Arc<[Span]>,
 }
 
 impl Snapshot {
     /// Before the first event.
     pub fn new(vertices: [[f32; 2]; 3], settings: Settings) -> Self {
+        let mut outcome = Vec::new();
+        let counts = fill(vertices, &settings, &mut Tally::default(), &mut |span| outcome.push(span));
+        if counts.covered > SHOWS_PENDING {
+            outcome.clear();
+        }
         Self {
             given: vertices,
             vertices: settings.vertices(vertices),
@@ -49,6 +61,7 @@ impl Snapshot {
             slopes: [None; 3],
             rows: Vec::new(),
             in_row: false,
+            outcome: outcome.into(),
         }
     }
 
@@ -70,17 +83,17 @@ impl Snapshot {
         edge.ends().map(|end| usize::from(order[end]))
     }
 
-    fn vertex_name(index: usize) -> &'static str {
+    pub(super) fn vertex_name(index: usize) -> &'static str {
         ["V0", "V1", "V2"][index]
     }
 
     /// Such as `V0V2`.
-    fn edge_name(&self, edge: Between) -> String {
+    pub(super) fn edge_name(&self, edge: Between) -> String {
         let [a, b] = self.ends(edge);
         [a.min(b), a.max(b)].map(Self::vertex_name).concat()
     }
 
-    fn pixels(&self) -> u64 {
+    pub(super) fn pixels(&self) -> u64 {
         self.rows.iter().map(|row| u64::from(row.drawn)).sum()
     }
 }
@@ -182,59 +195,7 @@ impl Explain for Snapshot {
     }
 
     fn sentence(&self, event: &Event) -> Message {
-        let y = Value::from(self.row().map_or(0, |row| row.y));
-        match *event {
-            Event::Sorted { order } => {
-                let [top, middle, bottom] =
-                    order.map(|index| Value::text(Self::vertex_name(usize::from(index))));
-                Message::new("scanline-sorted").with("top", top).with("middle", middle).with("bottom", bottom)
-            }
-            Event::ZeroArea => Message::new("scanline-zero-area"),
-            Event::Slope { edge, dx_dy } => Message::new("scanline-slope")
-                .with("edge", Value::text(self.edge_name(edge)))
-                .with("slope", dx_dy),
-            Event::Half { edge, begin, end } => {
-                let [from, to] = self.ends(edge).map(|end| Value::text(Self::vertex_name(end)));
-                let id = if begin == end { "scanline-half-empty" } else { "scanline-half" };
-                let message = Message::new(id).with("from", from).with("to", to);
-                if begin == end {
-                    return message;
-                }
-                let [first, last] = match self.settings.y_axis {
-                    YAxis::Down => [begin, end - 1],
-                    YAxis::Up => [end - 1, begin],
-                };
-                message.with("first", first).with("last", last).with("count", end - begin)
-            }
-            Event::Row { y } => Message::new("scanline-row").with("y", y).with("centre", y as f32 + 0.5),
-            Event::Crossing { side, edge, x } => Message::new(match side {
-                Side::Left => "scanline-crossing-left",
-                Side::Right => "scanline-crossing-right",
-            })
-            .with("edge", Value::text(self.edge_name(edge)))
-            .with("x", x),
-            Event::End { x, corrected: true, .. } => Message::new("scanline-corrected").with("x", x),
-            Event::End { side: Side::Left, x, .. } => Message::new("scanline-first").with("x", x),
-            Event::End { side: Side::Right, x, .. } => Message::new("scanline-end").with("x", x),
-            Event::Tie { side, edge, x, drawn } => Message::new(match (side, drawn) {
-                (Side::Left, true) => "scanline-tie-left-drawn",
-                (Side::Left, false) => "scanline-tie-left-lost",
-                (Side::Right, true) => "scanline-tie-right-drawn",
-                (Side::Right, false) => "scanline-tie-right-lost",
-            })
-            .with("x", x)
-            .with("y", y)
-            .with("edge", Value::text(self.edge_name(edge))),
-            Event::Span { begin, end } if begin == end => Message::new("scanline-span-empty").with("y", y),
-            Event::Span { begin, end } => Message::new("scanline-span")
-                .with("y", y)
-                .with("first", begin)
-                .with("end", end)
-                .with("count", end - begin),
-            Event::Pixel { x } => Message::new("scanline-pixel").with("x", x).with("y", y),
-            Event::Done => Message::new("scanline-done")
-                .with("count", Value::count(usize::try_from(self.pixels()).unwrap_or(usize::MAX))),
-        }
+        self.say(event)
     }
 
     fn formulas(&self, event: &Event, out: &mut Vec<Formula>) {
@@ -269,20 +230,20 @@ impl Explain for Snapshot {
             let begin = row.span.map_or(0, |[begin, _]| begin);
             out.extend((begin..begin + row.drawn).map(|x| pixel(x, row.y, Role::Accepted, Some(0))));
         }
+        if !self.rows.is_empty() {
+            self.mark_pending(out);
+        }
         if self.given != self.vertices {
             out.push(outline(self.given, Role::Exact));
         }
         out.push(outline(self.vertices, Role::Neutral));
         for edge in Between::ALL {
-            let slope = self.slopes[edge as usize];
-            let walked =
-                self.row().is_some_and(|row| row.crossings.iter().flatten().any(|(e, _)| *e == edge));
             let now = matches!(event, Some(Event::Slope { edge: e, .. }) if *e == edge);
-            if slope.is_some() || now {
+            if let Some(slope) = self.slopes[edge as usize] {
                 out.push(Mark::Segment {
                     ends: self.ends(edge).map(|end| self.vertices[end]),
-                    role: if walked || now { Role::Active } else { Role::Neutral },
-                    label: slope.map(|slope| Label::new("dx/dy", slope)),
+                    role: if now { Role::Active } else { Role::Neutral },
+                    label: Some(Label::new("dx/dy", slope)),
                 });
             }
         }
@@ -301,23 +262,44 @@ impl Explain for Snapshot {
 }
 
 impl Snapshot {
+    /// The pixels that the run has not come to yet.
+    fn mark_pending(&self, out: &mut Vec<Mark>) {
+        for span in self.outcome.iter() {
+            let drawn = self.rows.iter().find(|row| row.y == span.y).map_or(0, |row| row.drawn);
+            out.extend((span.begin + drawn..span.end).map(|x| pixel(x, span.y, Role::Candidate, None)));
+        }
+    }
+
     /// The row being worked on: its centre line, crossings, span and tie.
     fn mark_row(&self, row: &SpanRow, event: Option<&Event>, out: &mut Vec<Mark>) {
         let centre = row.y as f32 + 0.5;
-        out.push(Mark::Guide { axis: 1, at: centre, role: Role::Active, label: None });
+        out.push(Mark::Guide { axis: 1, at: centre, role: Role::Active, label: None, note: None });
         let crossings = row.crossings.map(|crossing| crossing.map(|(_, x)| x as f32));
+        let mut spanned = false;
         if let ([Some(left), Some(right)], Some([begin, end])) = (crossings, row.span)
             && begin < end
         {
+            spanned = true;
             out.push(Mark::Span { y: row.y as i32, ends: [left, right], role: Role::Active });
         }
-        for (name, x) in ["x left", "x right"].into_iter().zip(crossings) {
-            if let Some(x) = x.filter(|x| x.is_finite()) {
-                out.push(Mark::Point {
-                    at: [x, centre],
-                    role: Role::Active,
-                    label: Some(Label::new(name, x)),
-                });
+        for side in [Side::Left, Side::Right] {
+            let Some(x) = crossings[side as usize].filter(|x| x.is_finite()) else { continue };
+            let name = ["x left", "x right"][side as usize];
+            let now = match event {
+                Some(Event::Crossing { side: of, .. } | Event::End { side: of, .. }) => *of == side,
+                _ => spanned,
+            };
+            let tie = row.ties[side as usize].filter(|(column, _)| x == *column as f32 + 0.5);
+            let role = match tie {
+                Some(_) => Role::Tie,
+                None if now => Role::Active,
+                None => Role::Accepted,
+            };
+            out.push(Mark::Point { at: [x, centre], role, label: Some(Label::new(name, x)) });
+            if let Some((_, drawn)) = tie {
+                let verdict = if drawn { "scanline-tie-drawn" } else { "scanline-tie-lost" };
+                let label = Some(Label::new("", Value::Word(verdict)));
+                out.push(Mark::Point { at: [x, centre], role: Role::Tie, label });
             }
         }
         if let Some(Event::Pixel { x }) = event {

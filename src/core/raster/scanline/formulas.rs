@@ -38,7 +38,6 @@ impl Snapshot {
 
     fn crossing(&self, side: Side, edge: Between, x: f64) -> Formula {
         let slope = self.slopes[edge as usize].unwrap_or(0.0);
-        let (open, close) = if slope < 0.0 { ("(", ") = ") } else { ("", " = ") };
         let (slope, result) = (Piece::Number(slope.into()), Piece::Result(x.into()));
         if let Some(last) = self.last_crossing(side, edge) {
             let (general, sign) = match (side, self.settings.y_axis) {
@@ -51,9 +50,8 @@ impl Snapshot {
                 Piece::Text("= "),
                 Piece::Number(last.into()),
                 Piece::Text(sign),
-                Piece::Text(open),
                 slope,
-                Piece::Text(close),
+                Piece::Text(" = "),
                 result,
             ];
             return Formula { general, numbers };
@@ -69,9 +67,8 @@ impl Snapshot {
             Piece::Text(" − "),
             y0,
             Piece::Text(") · "),
-            Piece::Text(open),
             slope,
-            Piece::Text(close),
+            Piece::Text(" = "),
             result,
         ];
         let general = match side {

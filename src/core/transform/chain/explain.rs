@@ -104,7 +104,7 @@ impl Snapshot {
             out.push(rectangle(half.map(|n| n / self.extent[space as usize]), Role::Neutral));
         }
         let role = if space == self.to { Role::Active } else { Role::Neutral };
-        let label = Label { name: String::new(), value: word(space) };
+        let label = Label::new("", word(space));
         out.push(Mark::Text { at: [cx - 1.0, cy + 1.25], label, role, big: false });
         let points: Vec<(usize, [f32; 2])> = (self.known.iter().enumerate())
             .filter_map(|(index, path)| match path[space as usize] {

@@ -1,9 +1,12 @@
 //! What the lab shows of a Cohen-Sutherland run.
 
-use super::{Event, MOST_CUTS};
+use super::{
+    Event, MOST_CUTS,
+    formulas::{bits, joined},
+};
 use crate::{
     clip::line::{Border, End, Outcode, Point, Segment, Window},
-    explain::{Explain, Formula, Grid, Label, Level, Mark, Marker, Piece, Role, Row, Table, View},
+    explain::{Explain, Formula, Grid, Label, Level, Mark, Marker, Role, Row, Table, View},
     math::Arithmetic,
     message::{Message, Value},
     replay::State,
@@ -11,20 +14,20 @@ use crate::{
 
 /// A piece of the segment that was cut off.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Removed {
+pub(super) struct Removed {
     end: End,
     border: Border,
-    from: Point,
+    pub(super) from: Point,
 }
 
 /// What the user sees between two events: the fold of the events so far.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
-    window: Window,
-    arithmetic: Arithmetic,
-    original: Segment,
+    pub(super) window: Window,
+    pub(super) arithmetic: Arithmetic,
+    pub(super) original: Segment,
     /// The ends as they stand.
-    ends: Segment,
+    pub(super) ends: Segment,
     /// Their codes, once computed.
     codes: [Option<Outcode>; 2],
     or: Option<Outcode>,
@@ -57,12 +60,17 @@ impl Snapshot {
         (self.accepted == Some(true)).then_some(self.ends)
     }
 
-    fn removed(&self) -> impl DoubleEndedIterator<Item = Removed> {
+    pub(super) fn removed(&self) -> impl DoubleEndedIterator<Item = Removed> {
         self.removed.iter().flatten().copied()
     }
 
     fn moved(&self, end: End) -> bool {
         self.removed().any(|piece| piece.end == end)
+    }
+
+    /// The name of an end as it stands.
+    fn name(&self, end: End) -> &'static str {
+        if self.moved(end) { ["P1′", "P2′"][end as usize] } else { end.name() }
     }
 }
 
@@ -86,10 +94,6 @@ impl State for Snapshot {
             }
         }
     }
-}
-
-fn bits(code: Outcode) -> Value {
-    Value::Bits { bits: code.0.into(), width: 4 }
 }
 
 impl Explain for Snapshot {
@@ -154,14 +158,23 @@ impl Explain for Snapshot {
             Event::Code { end, code } if code.0 == 0 => {
                 Message::new("cohen-sutherland-code-inside").with("end", Value::text(end.name()))
             }
-            Event::Code { end, code } => Message::new("cohen-sutherland-code")
-                .with("end", Value::text(end.name()))
-                .with("code", bits(code)),
+            Event::Code { end, code } => {
+                let mut beyond = Border::ALL.into_iter().filter(|&border| code.has(border)).map(Border::word);
+                let [first, second] = [beyond.next(), beyond.next()].map(|id| id.map(Value::Word));
+                Message::new("cohen-sutherland-code")
+                    .with("end", Value::text(end.name()))
+                    .with("borders", 1 + usize::from(second.is_some()))
+                    .with("first", first)
+                    .with("second", second)
+                    .with("code", bits(code))
+            }
             Event::Or { code } if code.0 == 0 => Message::new("cohen-sutherland-or-zero"),
             Event::Or { code } => Message::new("cohen-sutherland-or").with("code", bits(code)),
             Event::Accept => Message::new("cohen-sutherland-accept"),
             Event::And { code } if code.0 == 0 => Message::new("cohen-sutherland-and-zero"),
-            Event::And { code } => Message::new("cohen-sutherland-and").with("code", bits(code)),
+            Event::And { code } => Message::new("cohen-sutherland-and")
+                .with("code", bits(code))
+                .with("border", Value::Word(code.first().unwrap_or(Border::Top).word())),
             Event::Reject => {
                 let border = self.and.and_then(Outcode::first).unwrap_or(Border::Top);
                 Message::new("cohen-sutherland-reject").with("border", Value::Word(border.word()))
@@ -169,7 +182,10 @@ impl Explain for Snapshot {
             Event::GiveUp => Message::new("cohen-sutherland-give-up").with("cuts", MOST_CUTS),
             Event::Choose { border, end } => Message::new("cohen-sutherland-choose")
                 .with("border", Value::Word(border.word()))
-                .with("end", Value::text(end.name())),
+                .with("end", Value::text(end.name()))
+                .with("other", Value::text(end.other().name()))
+                .with("axis", Value::text(["x", "y"][border.axis()]))
+                .with("at", Value::text(border.name())),
             Event::Cut { border, end, code, to } => Message::new("cohen-sutherland-cut")
                 .with("end", Value::text(end.name()))
                 .with("border", Value::text(border.name()))
@@ -184,10 +200,7 @@ impl Explain for Snapshot {
         match *event {
             Event::Or { code } => out.push(joined("c1 OR c2", " OR ", [c1, c2, code])),
             Event::And { code } => out.push(joined("c1 AND c2", " AND ", [c1, c2, code])),
-            Event::Cut { border, end, to, .. } => match self.arithmetic {
-                Arithmetic::Exact | Arithmetic::Fixed8 => out.push(self.exact_formula(border, to)),
-                Arithmetic::F32 | Arithmetic::F64 => out.push(self.taught_formula(border, end, to)),
-            },
+            Event::Cut { border, end, to, .. } => out.extend(self.cut(border, end, to)),
             _ => {}
         }
     }
@@ -203,7 +216,7 @@ impl Explain for Snapshot {
             })
             .collect();
         for (name, code) in [("OR", self.or), ("AND", self.and)] {
-            rows.push(Row::new(name, vec![Value::None, Value::None, code.map_or(Value::None, bits)]));
+            rows.push(Row::new(name, vec![Value::BLANK, Value::BLANK, code.map_or(Value::None, bits)]));
         }
         out.push(Table { title: "cohen-sutherland-ends", columns: vec!["x", "y", "T B R L"], rows });
         let Window { xmin, ymin, xmax, ymax } = self.window;
@@ -229,7 +242,13 @@ impl Explain for Snapshot {
             let role = if cutting == Some(border) { Role::Active } else { Role::Candidate };
             let at = self.window.at(border);
             let label = Some(Label::new(border.name(), at));
-            out.push(Mark::Guide { axis: border.axis() as u8, at, role, label });
+            let now = matches!(event, Some(Event::Cut { border: cut, .. }) if *cut == border);
+            let note = now.then(|| {
+                Message::new("cohen-sutherland-cutting")
+                    .with("axis", Value::text(["x", "y"][border.axis()]))
+                    .with("border", Value::text(border.name()))
+            });
+            out.push(Mark::Guide { axis: border.axis() as u8, at, role, label, note });
         }
         self.region_codes(out);
         for piece in self.removed() {
@@ -259,7 +278,7 @@ impl Explain for Snapshot {
                     Some(false) => Role::Rejected,
                     None => Role::Neutral,
                 };
-                let label = Label::new(["P1′", "P2′"][end as usize], at);
+                let label = Label::new(self.name(end), at);
                 out.push(Mark::Point { at, role, label: Some(label) });
             }
         }
@@ -281,88 +300,7 @@ impl Explain for Snapshot {
     }
 }
 
-fn joined(general: &'static str, sign: &'static str, [c1, c2, result]: [Outcode; 3]) -> Formula {
-    let numbers = vec![
-        Piece::Number(bits(c1)),
-        Piece::Text(sign),
-        Piece::Number(bits(c2)),
-        Piece::Text(" = "),
-        Piece::Result(bits(result)),
-    ];
-    Formula { general, numbers }
-}
-
 impl Snapshot {
-    /// The quotient over the original ends.
-    fn exact_formula(&self, border: Border, to: Point) -> Formula {
-        let (fixed, free) = (border.axis(), 1 - border.axis());
-        let [[a1, b1], [a2, b2]] = self.original.map(|p| [p[fixed], p[free]].map(Value::from));
-        let c = Value::from(self.window.at(border));
-        let general = match border {
-            Border::Top => "x = (x1 (y2 − ymax) + x2 (ymax − y1)) / (y2 − y1)",
-            Border::Bottom => "x = (x1 (y2 − ymin) + x2 (ymin − y1)) / (y2 − y1)",
-            Border::Right => "y = (y1 (x2 − xmax) + y2 (xmax − x1)) / (x2 − x1)",
-            Border::Left => "y = (y1 (x2 − xmin) + y2 (xmin − x1)) / (x2 − x1)",
-        };
-        let numbers = vec![
-            Piece::Text("= ("),
-            Piece::Number(b1),
-            Piece::Text(" ("),
-            Piece::Number(a2.clone()),
-            Piece::Text(" − "),
-            Piece::Number(c.clone()),
-            Piece::Text(") + "),
-            Piece::Number(b2),
-            Piece::Text(" ("),
-            Piece::Number(c),
-            Piece::Text(" − "),
-            Piece::Number(a1.clone()),
-            Piece::Text(")) / ("),
-            Piece::Number(a2),
-            Piece::Text(" − "),
-            Piece::Number(a1),
-            Piece::Text(") = "),
-            Piece::Result(to[free].into()),
-        ];
-        Formula { general, numbers }
-    }
-
-    /// The lecture's step from P1, over the ends as they stood.
-    fn taught_formula(&self, border: Border, end: End, to: Point) -> Formula {
-        let (fixed, free) = (border.axis(), 1 - border.axis());
-        let mut ends = self.ends;
-        if let Some(last) = self.removed().next_back() {
-            ends[end as usize] = last.from;
-        }
-        let [[a1, b1], [a2, b2]] = ends.map(|p| [p[fixed], p[free]].map(Value::from));
-        let c = Value::from(self.window.at(border));
-        let general = match border {
-            Border::Top => "x = x1 + (ymax − y1) / (y2 − y1) · (x2 − x1)",
-            Border::Bottom => "x = x1 + (ymin − y1) / (y2 − y1) · (x2 − x1)",
-            Border::Right => "y = y1 + (xmax − x1) / (x2 − x1) · (y2 − y1)",
-            Border::Left => "y = y1 + (xmin − x1) / (x2 − x1) · (y2 − y1)",
-        };
-        let numbers = vec![
-            Piece::Text("= "),
-            Piece::Number(b1.clone()),
-            Piece::Text(" + ("),
-            Piece::Number(c),
-            Piece::Text(" − "),
-            Piece::Number(a1.clone()),
-            Piece::Text(") / ("),
-            Piece::Number(a2),
-            Piece::Text(" − "),
-            Piece::Number(a1),
-            Piece::Text(") · ("),
-            Piece::Number(b2),
-            Piece::Text(" − "),
-            Piece::Number(b1),
-            Piece::Text(") = "),
-            Piece::Result(to[free].into()),
-        ];
-        Formula { general, numbers }
-    }
-
     /// The code of each of the nine regions, at its upper left corner; those that hold an end
     /// stand out.
     fn region_codes(&self, out: &mut Vec<Mark>) {
@@ -371,14 +309,21 @@ impl Snapshot {
         for (y, vertical) in [(max[1], 0b1000), (ymax, 0), (ymin, 0b0100)] {
             for (x, horizontal) in [(min[0], 0b0001), (xmin, 0), (xmax, 0b0010)] {
                 let code = Outcode(vertical | horizontal);
-                let holds_an_end = self.codes.contains(&Some(code));
+                let here = End::ALL.into_iter().filter(|&end| self.codes[end as usize] == Some(code));
+                let here: Vec<_> = here.map(|end| self.name(end)).collect();
                 out.push(Mark::Text {
                     at: [x, y],
-                    label: Label::new("", bits(code)),
-                    role: if holds_an_end { Role::Neutral } else { Role::Candidate },
+                    role: if here.is_empty() { Role::Candidate } else { Role::Neutral },
+                    label: Label::new(
+                        code.to_string(),
+                        (!here.is_empty()).then(|| Value::text(here.join(", "))),
+                    ),
                     big: true,
                 });
             }
         }
+        // What the four bits mean, under the first code.
+        let label = Label::new("", Value::Word("cohen-sutherland-legend"));
+        out.push(Mark::Text { at: [min[0], max[1]], label, role: Role::Candidate, big: false });
     }
 }

@@ -11,9 +11,8 @@ use super::{
     screen::{Viewport, divide},
 };
 use crate::{
-    pipeline::model_matrix,
     replay::{Budget, Player},
-    scene::{Draw, Scene},
+    scene::{Draw, Scene, Transform},
     trace::{NoTrace, Tracer},
 };
 use serde::Serialize;
@@ -52,6 +51,16 @@ pub struct Chain {
     pub projection: Matrix,
     /// NDC to the screen.
     pub viewport: Viewport,
+}
+
+/// The matrix that a draw's transform stands for.
+pub fn model_matrix(transform: &Transform) -> Matrix {
+    match *transform {
+        Transform::Parts { translate, rotate_degrees, scale } => {
+            matrices::model(translate, rotate_degrees, scale)
+        }
+        Transform::Matrix(matrix) => matrix,
+    }
 }
 
 impl Chain {

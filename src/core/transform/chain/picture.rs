@@ -328,9 +328,13 @@ impl Snapshot {
                 }
                 let divided = [x / w, y / w, 0.0, 1.0];
                 let role = if w > 0.0 { Role::Candidate } else { Role::Rejected };
-                let origin = [0.0; 4];
-                square.segment([origin, [x, y, z, w]], role, None, out);
-                square.segment([origin, divided], role, None, out);
+                // From the eye, or right through it, to the farther of both.
+                let ends = match w {
+                    ..0.0 => [[x, y, z, w], divided],
+                    ..1.0 => [[0.0; 4], divided],
+                    _ => [[0.0; 4], [x, y, z, w]],
+                };
+                square.segment(ends, role, None, out);
                 let at = square.place(divided);
                 if square.contains(at) {
                     let name = ["x / w", "y / w"][square.side];
@@ -350,10 +354,10 @@ impl Snapshot {
                 ([x, y, z, 1.0], Role::Candidate)
             }
         };
+        // The numbers that the square shows; the table has all of them.
         let label = match (square.side, square.space) {
-            (0, Space::Clip) => Label::new(name, at),
-            (0, _) => Label::new(name, [at[0], at[1], at[2]]),
-            _ => Label::name(name),
+            (0, _) | (_, Space::Clip) => Label::new(name, flat(square.space, square.side, at)),
+            _ => Label::new(format!("{name} z"), at[2]),
         };
         out.push(Mark::Point { at: square.place(at), role, label: Some(label) });
     }

@@ -16,5 +16,6 @@ mod scanline;
 mod scene;
 mod scene_errors;
 mod support;
+mod tour;
 mod transform;
 mod z_buffer;

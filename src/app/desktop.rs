@@ -11,7 +11,7 @@ use std::{
 };
 
 /// Files and dialogs of the desktop.
-pub struct Desktop {
+pub(crate) struct Desktop {
     /// To wake the window when a file was chosen.
     ctx: Context,
     send: Sender<String>,
@@ -20,7 +20,7 @@ pub struct Desktop {
 
 impl Desktop {
     /// The platform of the window that `ctx` paints.
-    pub fn new(ctx: Context) -> Self {
+    pub(crate) fn new(ctx: Context) -> Self {
         let (send, chosen) = mpsc::channel();
         Self { ctx, send, chosen }
     }

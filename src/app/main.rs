@@ -1,14 +1,77 @@
 //! The one binary: the window, and everything that works without one.
+//!
+//! Each command is one call of the cli crate; see its documentation for what they do.
 
+mod arguments;
 #[cfg(feature = "gui")]
 mod desktop;
 #[cfg(feature = "gui")]
 mod window;
 
-fn main() {
-    let file = std::env::args().nth(1);
-    #[cfg(feature = "gui")]
-    if let Err(sentence) = window::open(file) {
-        eprintln!("{sentence}");
+use arguments::Request;
+use rasterscope_cli::{
+    Failure, compute, figure, list,
+    tour::{self, TourOptions},
+    trace,
+};
+use rasterscope_core::message::{Message, Value};
+use rasterscope_figure::words::Words;
+use std::{
+    io::{self, IsTerminal as _, Write},
+    path::PathBuf,
+    process::ExitCode,
+};
+
+/// Where the tour goes when there is no window.
+const TOUR: &str = "rasterscope-tour";
+
+fn main() -> ExitCode {
+    let words = Words::default();
+    let request = arguments::read(&words);
+    let output = &mut io::stdout().lock();
+    let done = match request {
+        Request::Window(file) => return open_window(file, &words),
+        Request::ComputeFile(file) => compute::compute_file(&file, output),
+        Request::Compute(lines) => compute::compute(&mut io::stdin().lock(), lines, output),
+        Request::Trace(options) => trace::trace(&options, output),
+        Request::Figure(options) => figure::figure(&options),
+        Request::Tour(options) => write_tour(&options).map(|_| ()),
+        Request::List => list::list(output),
+    };
+    finish(done)
+}
+
+fn finish(done: Result<(), Failure>) -> ExitCode {
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            tell(&failure.to_string());
+            ExitCode::from(failure.exit_code())
+        }
     }
+}
+
+/// Writes the tour, with its progress where someone can see it.
+fn write_tour(options: &TourOptions) -> Result<PathBuf, Failure> {
+    let mut terminal = io::stderr();
+    let progress = terminal.is_terminal().then_some(&mut terminal as &mut dyn Write);
+    tour::tour(options, progress)
+}
+
+/// Opens the window; without one it says why, and writes the tour instead.
+fn open_window(file: Option<PathBuf>, words: &Words) -> ExitCode {
+    #[cfg(feature = "gui")]
+    let opened = window::open(file.clone());
+    #[cfg(not(feature = "gui"))]
+    let opened = Err::<(), _>(Message::new("app-no-gui"));
+    let Err(why) = opened else { return ExitCode::SUCCESS };
+    tell(&words.message(&why));
+    finish(write_tour(&TourOptions { file, output: TOUR.into() }).map(|path| {
+        tell(&words.message(&Message::new("app-tour-instead").with("path", Value::text(path.display()))));
+    }))
+}
+
+fn tell(sentence: &str) {
+    // Nobody is left to tell if standard error is closed.
+    let _ = writeln!(io::stderr(), "{sentence}");
 }

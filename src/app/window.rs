@@ -5,9 +5,11 @@ use eframe::{
     CreationContext, NativeOptions, Renderer, Storage,
     egui::{Ui, ViewportBuilder},
 };
+use rasterscope_core::message::{Message, Value};
 use rasterscope_ui::App;
 use std::{
     panic::{self, AssertUnwindSafe},
+    path::PathBuf,
     sync::{
         Arc,
         atomic::{AtomicBool, Ordering},
@@ -39,8 +41,8 @@ impl eframe::App for Window {
 /// Opens the window and returns when it is closed.
 ///
 /// # Errors
-/// One sentence why there is no window; then nothing was shown.
-pub fn open(file: Option<String>) -> Result<(), String> {
+/// Why there is no window; then nothing was shown.
+pub(crate) fn open(file: Option<PathBuf>) -> Result<(), Message> {
     let options = NativeOptions {
         viewport: ViewportBuilder::default()
             .with_title(TITLE)
@@ -61,7 +63,7 @@ pub fn open(file: Option<String>) -> Result<(), String> {
             window.app.restore(&creation.egui_ctx, &settings);
         }
         if let Some(file) = file {
-            window.app.open(&file, &mut window.desktop);
+            window.app.start_with(&file.to_string_lossy(), &mut window.desktop);
         }
         Ok(Box::new(window) as Box<dyn eframe::App>)
     };
@@ -78,46 +80,65 @@ pub fn open(file: Option<String>) -> Result<(), String> {
         panic::catch_unwind(AssertUnwindSafe(|| eframe::run_native(TITLE, options, Box::new(create))));
     match outcome {
         Ok(Ok(())) => Ok(()),
-        Ok(Err(error)) => Err(sentence(&format!("{error} {error:?}"))),
+        Ok(Err(error)) => Err(why(&error.to_string(), &format!("{error:?}"))),
         Err(payload) if started.load(Ordering::Relaxed) => panic::resume_unwind(payload),
         Err(payload) => {
-            let text = payload.downcast_ref::<String>().cloned();
-            Err(sentence(
-                &text.or_else(|| payload.downcast_ref::<&str>().map(ToString::to_string)).unwrap_or_default(),
-            ))
+            let text = payload.downcast_ref::<String>().map(String::as_str);
+            Err(why(text.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or_default(), ""))
         }
     }
 }
 
-/// System libraries as errors name them, and the Debian packages that hold them. The longer name
+/// System libraries as errors name them, and the Debian packages that hold them. A longer name
 /// comes before the one it contains.
 const LIBRARIES: [(&str, &str); 8] = [
     ("xkbcommon-x11", "libxkbcommon-x11-0"),
     ("xkbcommon", "libxkbcommon0"),
-    ("X11-xcb", "libx11-xcb1"),
-    ("Xcursor", "libxcursor1"),
-    ("libXi", "libxi6"),
-    ("libX11", "libx11-6"),
-    ("libEGL", "libegl1"),
-    ("libGL", "libgl1"),
+    ("x11-xcb", "libx11-xcb1"),
+    ("xcursor", "libxcursor1"),
+    ("libxi", "libxi6"),
+    ("libx11", "libx11-6"),
+    ("libegl", "libegl1"),
+    ("libgl", "libgl1"),
 ];
 
-/// Why the window cannot be opened, in one sentence.
-fn sentence(error: &str) -> String {
-    let lower = error.to_lowercase();
-    let missing = LIBRARIES.iter().find(|(library, _)| lower.contains(&library.to_lowercase()));
-    let no_display = std::env::var_os("DISPLAY").is_none() && std::env::var_os("WAYLAND_DISPLAY").is_none();
-    match missing {
-        _ if no_display => {
-            "The window cannot be opened: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set)."
-                .to_owned()
+/// Why the window cannot be opened; `details` may name what `error` does not.
+fn why(error: &str, details: &str) -> Message {
+    let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    let no_server = error.contains("connection to X server");
+    if no_server || !is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY") {
+        return Message::new("app-no-display");
+    }
+    if let Some(package) = package(error).or_else(|| package(details)) {
+        return Message::new("app-missing-library").with("package", Value::text(package));
+    }
+    // The lines before say where in the source; the last part says what.
+    let what = error.lines().next().and_then(|line| line.rsplit(": ").next()).unwrap_or_default();
+    Message::new("app-no-window").with("reason", Value::text(what.trim_end_matches('.')))
+}
+
+/// The package that holds the library that an error names.
+fn package(error: &str) -> Option<&'static str> {
+    let error = error.to_lowercase();
+    LIBRARIES.iter().find(|(library, _)| error.contains(library)).map(|(_, package)| *package)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::package;
+
+    #[test]
+    fn a_missing_library_names_its_package() {
+        for (error, expected) in [
+            ("Library libxkbcommon-x11.so could not be loaded.", "libxkbcommon-x11-0"),
+            ("Library libxkbcommon.so could not be loaded.", "libxkbcommon0"),
+            ("failed to load one of xlib's shared libraries: libX11-xcb.so.1", "libx11-xcb1"),
+            ("Failed to load libX11.so.6", "libx11-6"),
+            ("libXcursor.so.1: cannot open shared object file", "libxcursor1"),
+            ("libXi.so.6: cannot open shared object file", "libxi6"),
+            ("Failed to find libGL.so.1", "libgl1"),
+        ] {
+            assert_eq!(package(error), Some(expected), "{error}");
         }
-        Some((_, package)) => format!(
-            "The window cannot be opened: a system library is missing; on Debian and Ubuntu, `sudo apt install {package}` installs it."
-        ),
-        None => format!(
-            "The window cannot be opened: {}.",
-            error.lines().next().unwrap_or("the reason is unknown").trim_end_matches('.')
-        ),
     }
 }

@@ -1,8 +1,10 @@
 //! `rasterscope figure`: the picture of a lab after some steps, as on the screen.
 
 use rasterscope_core::{
+    explain::{Mark, View},
     labs,
     message::{Message, Value},
+    pipeline::{self, Skips},
     replay::{Budget, Playback},
 };
 use rasterscope_figure::{
@@ -13,7 +15,12 @@ use rasterscope_figure::{
 };
 use std::path::PathBuf;
 
-use crate::{Failure, files, trace::check_name, words::WORDS};
+use crate::{
+    Failure, files,
+    tour::{image, image_view},
+    trace::check_name,
+    words::WORDS,
+};
 
 /// Width and height in points, unless the options say otherwise: a canvas of 4 to 3.
 pub const SIZE: [u32; 2] = [960, 720];
@@ -58,15 +65,28 @@ pub fn figure(options: &FigureOptions) -> Result<(), Failure> {
         return Err(Failure::usage(&Message::new("error-figure-size")));
     }
     let scene = files::open_lab(&options.lab, &options.file)?;
-    let mut run = labs::play(&scene, Budget::default()).map_err(|message| Failure::work(&message))?;
-    run.seek(options.step.unwrap_or(usize::MAX));
-    let figure = draw(&*run, options.size.map(|side| side as f32), options.theme.theme());
+    let (size, theme) = (options.size.map(|side| side as f32), options.theme.theme());
+    let figure = match options.step {
+        // The end of the whole pipeline is the image itself, of any scene.
+        None if options.lab == "pipeline" => {
+            let frame = pipeline::render(&scene, &Skips::ALL);
+            lay_out(&[image(&frame)], &image_view(&scene), size, theme)
+        }
+        step => {
+            let mut run = labs::play(&scene, Budget::default()).map_err(|message| Failure::work(&message))?;
+            run.seek(step.unwrap_or(usize::MAX));
+            draw(&*run, size, theme)
+        }
+    };
     let bytes = if svg_wanted { svg::svg(&figure).into_bytes() } else { png::png(&figure, PIXELS_PER_POINT) };
     files::write(&options.output, &bytes)
 }
 
 /// The drawing of a run at its cursor.
 pub(crate) fn draw(run: &dyn Playback, size: [f32; 2], theme: &Theme) -> Figure {
-    let view = run.view();
-    layout::draw(&run.marks(), &view, &Placement::fit(&view, size, INSET), size, theme, &WORDS)
+    lay_out(&run.marks(), &run.view(), size, theme)
+}
+
+fn lay_out(marks: &[Mark], view: &View, size: [f32; 2], theme: &Theme) -> Figure {
+    layout::draw(marks, view, &Placement::fit(view, size, INSET), size, theme, &WORDS)
 }

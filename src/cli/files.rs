@@ -59,6 +59,11 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     })
 }
 
+/// Makes a folder, and those that it stands in.
+pub(crate) fn make_folder(path: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(path).map_err(|error| about("error-cannot-write", path, &error))
+}
+
 /// What a FILE holds.
 #[derive(Debug)]
 enum Content {

@@ -6,7 +6,7 @@ use crate::{
     clip::line::{Window, cohen_sutherland},
     depth::{DepthState, z_buffer},
     message::{Message, Value},
-    pipeline::{screen_triangles, triangle_name},
+    pipeline::{screen_names, screen_triangles},
     raster::{self, scanline},
     replay::{Budget, Playback},
     scene::{LabInput, Scene},
@@ -168,14 +168,10 @@ fn play_depth_of(scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Mes
         return Err(Message::new("error-mixed-depth-states"));
     }
     let triangles = screen_triangles(scene);
-    let names = triangles.iter().enumerate().map(|(i, piece)| {
-        // The parts of a triangle follow each other.
-        let cut = piece.part > 0 || triangles.get(i + 1).is_some_and(|next| next.part > 0);
-        let object = piece.draw as usize;
-        let of = (object, &scene.draws[object]);
-        z_buffer::Name { text: triangle_name(of, piece.triangle, cut.then_some(piece.part)), object }
-    });
-    let names = names.collect();
+    let names = screen_names(scene, &triangles)
+        .zip(&triangles)
+        .map(|(text, piece)| z_buffer::Name { text, object: piece.draw as usize })
+        .collect();
     let triangles = triangles.iter().map(|triangle| triangle.vertices).collect();
     Ok(Box::new(z_buffer::play(triangles, names, depth_settings(scene, state), budget)))
 }

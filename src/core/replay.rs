@@ -168,6 +168,12 @@ impl<S: State> Player<S> {
         self.events.len()
     }
 
+    /// Bytes of the events and checkpoints in memory, which the budget bounds.
+    pub fn memory(&self) -> usize {
+        self.events.capacity() * size_of::<S::Event>()
+            + self.checkpoints.states.iter().map(State::size_hint).sum::<usize>()
+    }
+
     /// The event that led to the state at the cursor.
     pub fn event(&self) -> Option<&S::Event> {
         self.events.get(self.cursor.checked_sub(1)?.checked_sub(self.window.start)?)

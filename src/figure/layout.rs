@@ -20,7 +20,10 @@ use crate::{
     theme::Theme,
     words::Words,
 };
-pub use crate::{labels::Places, placement::Placement};
+pub use crate::{
+    labels::Places,
+    placement::{Placement, RULER},
+};
 
 /// Draws `marks` of a plane that `view` describes, as `placement` lays it on a canvas of `size`.
 pub fn draw(

@@ -74,6 +74,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "z-buffer"
     "figure"
     "cli"
+    "tour"
     "app"
 )];
 

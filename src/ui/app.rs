@@ -40,7 +40,7 @@ pub struct App {
     pub(crate) presets: Vec<PresetInfo>,
     pub(crate) names: Names,
     /// The preset that was opened, and what it was; no longer chosen once something is edited.
-    pub(crate) preset: Option<(&'static str, Document)>,
+    pub(crate) preset: Option<(&'static str, Scene)>,
     pub(crate) notice: Option<Notice>,
     /// Where the document came from, and what was last written there.
     pub(crate) path: Option<String>,
@@ -180,6 +180,7 @@ impl App {
         self.view.pixel = None;
         self.notice = None;
         self.run.clear();
+        self.ran = None;
         self.update();
         if let Some(step) = step {
             self.run.seek(step);

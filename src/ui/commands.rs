@@ -25,7 +25,7 @@ impl App {
             Command::Back => self.seek(|app| app.run.back(app.view.level)),
             Command::Begin => self.seek(|app| app.run.seek(0)),
             Command::End => self.seek(|app| app.run.seek(usize::MAX)),
-            Command::ToLine(line) => self.seek(|app| app.run.to_line(line)),
+            Command::ToLine(line) => self.seek(|app| app.run.seek_line(line)),
             Command::Play => self.toggle_play(ctx),
             Command::Level(level) => self.view.level = level,
             Command::Speed(speed) => self.view.speed = speed,
@@ -122,7 +122,7 @@ impl App {
             Ok(scene) => {
                 self.replace(scene);
                 self.path = None;
-                self.preset = Some((name, self.document.clone()));
+                self.preset = Some((name, self.document.scene.clone()));
             }
             Err(problem) => self.notice = Some(Notice::Failed(self.words.message(&problem))),
         }

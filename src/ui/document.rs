@@ -19,7 +19,8 @@ pub(crate) struct Document {
 impl Document {
     /// A document of a scene; a scene without a lab opens the overview.
     pub(crate) fn new(mut scene: Scene) -> Self {
-        scene.lab.get_or_insert(Lab { step: None, input: LabInput::Pipeline });
+        // The step belongs to the view.
+        scene.lab.get_or_insert(Lab { step: None, input: LabInput::Pipeline }).step = None;
         Self { scene, others: Vec::new() }
     }
 

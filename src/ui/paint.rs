@@ -45,6 +45,7 @@ impl Textures {
         self.kept.retain_mut(|texture| std::mem::take(&mut texture.used));
     }
 
+    #[cfg(test)]
     /// How many textures were made: tests assert on it.
     pub(crate) fn made(&self) -> usize {
         self.made
@@ -237,7 +238,7 @@ fn crossing((a, b): (Pos2, Pos2), (c, d): (Pos2, Pos2)) -> Option<f32> {
     let cross = |p: Vec2, q: Vec2| p.x * q.y - p.y * q.x;
     let bottom = cross(u, v);
     let (t, s) = (cross(w, v) / bottom, cross(w, u) / bottom);
-    (bottom != 0.0 && t > 0.0 && t < 1.0 && s > 0.0 && s < 1.0).then(|| a.y + t * u.y)
+    (bottom != 0.0 && t > 0.0 && t < 1.0 && s > 0.0 && s < 1.0).then_some(a.y + t * u.y)
 }
 
 #[cfg(test)]

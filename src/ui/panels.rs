@@ -3,6 +3,7 @@
 use crate::{
     app::App,
     face::{Command, Face},
+    labs::Open,
     shell::{
         Frame, NARROW,
         canvas::{Drawing, Maker},
@@ -18,10 +19,10 @@ use egui::{Align2, CentralPanel, Color32, Margin, Panel, Rect, Ui, UiBuilder, ve
 use rasterscope_core::labs as core_labs;
 use std::{cell::RefCell, rc::Rc};
 
-/// Width of the choices where they are a panel.
-const CHOICES: f32 = 228.0;
+/// Width of the choices where they are a panel, and on a projector.
+const CHOICES: [f32; 2] = [228.0, 280.0];
 /// Width of the choices where they lie over the canvas.
-const DRAWER: f32 = 260.0;
+const DRAWER: [f32; 2] = [260.0, 320.0];
 
 impl App {
     /// Shows every panel of one frame.
@@ -45,7 +46,7 @@ impl App {
             preset: self
                 .preset
                 .as_ref()
-                .filter(|(_, document)| *document == self.document)
+                .filter(|(_, scene)| *scene == self.document.scene)
                 .map(|(name, _)| *name),
             presets: &presets,
             note: self.names.text(&self.words, &self.document.scene.note),
@@ -84,12 +85,11 @@ impl App {
             .show(ui, |ui| timeline::show(ui, &face, self.run.shown(), &self.view));
         if !narrow {
             Panel::left("choices")
-                .exact_size(CHOICES)
+                .exact_size(CHOICES[usize::from(look.projector())])
                 .resizable(false)
                 .frame(plain(look.panel, Margin::symmetric(14, 12)))
                 .show(ui, |ui| {
-                    let lab = self.labs[lab].as_ref();
-                    choices::show(ui, &face, &frame, lab, &mut self.document, &mut self.view);
+                    choices::show(ui, &face, &frame, &mut self.opened(lab));
                 });
         }
         let width = match (narrow, look.projector()) {
@@ -160,21 +160,27 @@ impl App {
             ui.painter().galley(at, galley, face.look.dim);
             return;
         };
-        let lab = self.labs[lab].as_ref();
-        self.canvas.show(ui, face, &mut self.textures, drawing, lab, &mut self.document, &mut self.view);
+        let mut open =
+            Open { lab: self.labs[lab].as_ref(), document: &mut self.document, view: &mut self.view };
+        self.canvas.show(ui, face, &mut self.textures, drawing, &mut open);
     }
 
     /// The choices over the canvas of a narrow window.
     fn drawer(&mut self, ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, lab: usize, rect: Rect) {
-        let at = Rect::from_min_size(rect.min, vec2(DRAWER, rect.height()));
+        let at =
+            Rect::from_min_size(rect.min, vec2(DRAWER[usize::from(face.look.projector())], rect.height()));
         // Takes the clicks that would reach the canvas below.
         ui.interact(at, ui.scope_id().with("drawer"), egui::Sense::click_and_drag());
         ui.painter().rect_filled(at, 0, face.look.panel);
         ui.painter().vline(at.right(), at.y_range(), egui::Stroke::new(1.0, face.look.line));
         ui.scope_builder(UiBuilder::new().max_rect(at.shrink2(vec2(14.0, 12.0))), |ui| {
-            let lab = self.labs[lab].as_ref();
-            choices::show(ui, face, frame, lab, &mut self.document, &mut self.view);
+            choices::show(ui, face, frame, &mut self.opened(lab));
         });
+    }
+
+    /// The open lab, to be edited.
+    fn opened(&mut self, lab: usize) -> Open<'_> {
+        Open { lab: self.labs[lab].as_ref(), document: &mut self.document, view: &mut self.view }
     }
 
     fn subtitle(&self) -> String {

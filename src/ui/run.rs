@@ -69,6 +69,7 @@ impl Run {
     }
 
     /// How often an algorithm ran: tests assert on it.
+    #[cfg(test)]
     pub(crate) fn runs(&self) -> usize {
         self.runs
     }
@@ -89,7 +90,7 @@ impl Run {
     }
 
     /// Goes to the next execution of a listing line.
-    pub(crate) fn to_line(&mut self, line: usize) {
+    pub(crate) fn seek_line(&mut self, line: usize) {
         self.moved(|playback| {
             playback.next_at_line(line);
         });

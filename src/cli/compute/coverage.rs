@@ -1,7 +1,7 @@
 //! `coverage`: the pixels of a triangle.
 
 use rasterscope_core::{
-    math::Tally,
+    math::{Arithmetic, Tally},
     raster::{Algorithm, FillRule, Settings, Span, YAxis, rows},
     scene::{LabInput, Scene},
 };
@@ -29,6 +29,15 @@ pub(super) fn conventions(request: &Request) -> Result<(Algorithm, Settings), Re
     Ok((algorithm.unwrap_or_default(), settings))
 }
 
+/// The conventions of a request that is to be stepped, which is done in exact arithmetic.
+pub(super) fn steppable(request: &Request) -> Result<Settings, Refusal> {
+    let (_, settings) = conventions(request)?;
+    match settings.arithmetic {
+        Arithmetic::Exact => Ok(settings),
+        other => Err(Refusal::unsupported("arithmetic", other.name())),
+    }
+}
+
 fn axis_name(axis: YAxis) -> &'static str {
     match axis {
         YAxis::Down => "down",
@@ -50,7 +59,7 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
 
 /// The same request as a scene that opens a lab.
 pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
-    let (_, Settings { size, fill_rule, y_axis, .. }) = conventions(request)?;
+    let Settings { size, fill_rule, y_axis, .. } = steppable(request)?;
     let input = LabInput::Scanline { vertices: Some(request.vertices()?), triangle: 0 };
     Ok(Scene { fill_rule, y_axis, ..lab_scene(size, input) })
 }

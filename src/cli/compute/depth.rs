@@ -8,7 +8,11 @@ use rasterscope_core::{
 };
 use serde::{Serialize, Serializer};
 
-use super::{Refusal, Request, coverage::conventions, lab_scene};
+use super::{
+    Refusal, Request,
+    coverage::{conventions, steppable},
+    lab_scene,
+};
 
 /// The covered pixels with their depths, row by row; written as they are computed, for a large
 /// triangle has millions.
@@ -50,7 +54,7 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
 
 /// The same request as a scene that opens a lab.
 pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
-    let (_, Settings { size, fill_rule, y_axis, .. }) = conventions(request)?;
+    let Settings { size, fill_rule, y_axis, .. } = steppable(request)?;
     let depth_format = format(request)?;
     let input = LabInput::ZBuffer { triangles: Some(vec![request.vertices()?]) };
     Ok(Scene { fill_rule, y_axis, depth_format, ..lab_scene(size, input) })

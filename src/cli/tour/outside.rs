@@ -3,7 +3,7 @@
 use glam::{DMat4, DVec4};
 use rasterscope_core::{
     explain::{Grid, Label, Mark, Role, View},
-    pipeline::{Fate, Point},
+    pipeline::{DrawOutputs, Fate, Point},
     scene::Shade,
 };
 use rasterscope_figure::orbit::Orbit;
@@ -86,7 +86,11 @@ pub(super) fn model(subject: &Subject<'_>) -> Drawing {
         let mut end = [0.0; 3];
         end[axis] = length;
         if let Some(ends) = orbit.segment([0.0; 3], end) {
-            marks.push(Mark::Segment { ends: ends.map(to_picture), role: Role::Exact, label: Some(Label::name(name)) });
+            marks.push(Mark::Segment {
+                ends: ends.map(to_picture),
+                role: Role::Exact,
+                label: Some(Label::name(name)),
+            });
         }
     }
     if subject.is_named() {
@@ -116,7 +120,7 @@ fn bounds(points: impl Iterator<Item = [f32; 2]>, limit: f32) -> [[f32; 2]; 2] {
 /// reader.
 fn flat(
     subject: &Subject<'_>,
-    points: fn(&rasterscope_core::pipeline::DrawOutputs) -> &[Point],
+    points: fn(&DrawOutputs) -> &[Point],
     flat: impl Fn(Point) -> [f32; 3],
 ) -> Paint {
     let mut paint = Paint::default();
@@ -136,7 +140,7 @@ fn flat(
 pub(super) fn view(subject: &Subject<'_>) -> Drawing {
     let camera = &subject.scene.camera;
     let (shown, limit) = (subject.depth_shown(), REACH * camera.far.min(1e18));
-    let all = || subject.outputs.draws.iter().flat_map(|draw| draw.view());
+    let all = || subject.outputs.draws.iter().flat_map(DrawOutputs::view);
     let [min, max] = bounds(all().map(|p| [-p[2], p[1]]).chain([[shown, 0.0]]), limit);
     let half = subject.half_extent(shown)[1].min((max[1] - min[1]).max(shown * 0.2));
     let reach = all().map(|p| p[0].abs()).filter(|x| *x <= limit).fold(1.0, f32::max);
@@ -162,7 +166,7 @@ pub(super) fn view(subject: &Subject<'_>) -> Drawing {
 /// Clip space: x to the right, w up; visible is what lies between `x = -w` and `x = w`.
 pub(super) fn clip_space(subject: &Subject<'_>) -> Drawing {
     let limit = REACH * subject.scene.camera.far.min(1e18);
-    let all = || subject.outputs.draws.iter().flat_map(|draw| draw.clip());
+    let all = || subject.outputs.draws.iter().flat_map(DrawOutputs::clip);
     let [min, max] = bounds(all().map(|p| [p[0], p[3]]).chain([[0.0, 1.0]]), limit);
     let top = max[1];
     let reach = all().map(|p| p[1].abs()).filter(|y| *y <= limit).fold(1.0, f32::max);
@@ -175,7 +179,11 @@ pub(super) fn clip_space(subject: &Subject<'_>) -> Drawing {
         marks.push(Mark::Segment { ends: [at([0.0, 0.0]), at([x, top])], role: Role::Neutral, label });
     }
     let [left, right] = [min[0].min(-top), max[0].max(top)].map(|x| at([x, 0.0]));
-    marks.push(Mark::Segment { ends: [left, right], role: Role::Candidate, label: Some(Label::name("w = 0")) });
+    marks.push(Mark::Segment {
+        ends: [left, right],
+        role: Role::Candidate,
+        label: Some(Label::name("w = 0")),
+    });
     drawing(marks, "tour-picture-clip-space")
 }
 
@@ -198,7 +206,7 @@ pub(super) fn clip(subject: &Subject<'_>) -> Drawing {
     let orbit = orbit(subject, true);
     let wide = |matrix: &[f32; 16]| DMat4::from_cols_array(&matrix.map(f64::from));
     let world_from_clip = (wide(&subject.outputs.projection) * wide(&subject.outputs.view)).inverse();
-    let to_world = |p: Point| {
+    let world_of = |p: Point| {
         let p = world_from_clip * DVec4::from_array(p.map(f64::from));
         (p.truncate() / p.w).as_vec3().to_array()
     };
@@ -215,7 +223,7 @@ pub(super) fn clip(subject: &Subject<'_>) -> Drawing {
     for (index, draw) in subject.outputs.draws.iter().enumerate() {
         let clipped = draw.clipped();
         for piece in &clipped.pieces {
-            let corners = piece.corners.map(|i| nearer(to_world(clipped.corners[i as usize])));
+            let corners = piece.corners.map(|i| nearer(world_of(clipped.corners[i as usize])));
             paint.triangle(corners, subject.color(index));
         }
     }

@@ -1,18 +1,15 @@
 //! A drawing on the page: marks to a figure to an embedded picture.
 
-use base64::{Engine, engine::general_purpose::STANDARD};
 use rasterscope_core::explain::{Mark, View};
 use rasterscope_figure::{
-    figure::Figure,
-    layout::{self, Placement},
-    placement_ruler,
+    layout::{self, Placement, RULER},
     png, svg,
     theme::Theme,
 };
 
-use crate::{figure::PIXELS_PER_POINT, words::WORDS};
+use crate::words::WORDS;
 
-use super::page::escape;
+use super::page::{embed, escape};
 
 /// Width of a picture on the page in points.
 const WIDTH: f32 = 720.0;
@@ -34,14 +31,18 @@ impl Drawing {
     /// The picture with its caption.
     pub(super) fn html(&self, theme: &Theme) -> String {
         let span = [0, 1].map(|axis| (self.view.max[axis] - self.view.min[axis]).max(1e-9));
-        let (inset, ruler) = if self.painted { (0.0, 0.0) } else { (16.0, RULER) };
+        let (inset, ruler) = if self.painted { (0.0, 0.0) } else { (16.0, RULER as f32) };
         let inner = (WIDTH - 2.0 * inset - ruler) * span[1] / span[0];
         let size = [WIDTH, (inner + 2.0 * inset + ruler).clamp(HEIGHTS[0], HEIGHTS[1])];
         let placement = Placement::fit(&self.view, size, inset);
         let figure = layout::draw(&self.marks, &self.view, &placement, size, theme, &WORDS);
         let caption = WORDS.word(self.caption);
-        // Painted images are smaller as PNG, and smooth when they shrink.
-        let large = self.painted || span[0] > WIDTH;
-        format!("<figure>{}<figcaption>{}</figcaption></figure>", embed(&figure, large, &caption), escape(&caption))
+        let picture = if placement.scale < 1.0 {
+            // One pixel for each pixel of the image: smaller than SVG, and smooth when it shrinks.
+            embed("image/png", &png::png(&figure, (1.0 / placement.scale).min(4.0) as f32), size, &caption)
+        } else {
+            embed("image/svg+xml", svg::svg(&figure).as_bytes(), size, &caption)
+        };
+        format!("<figure>{picture}<figcaption>{}</figcaption></figure>", escape(&caption))
     }
 }

@@ -5,6 +5,7 @@ use rasterscope_core::{
     explain::{Grid, Mark, Role, View},
     labs::Stage,
     message::Value,
+    pipeline::{DrawOutputs, ScreenTriangle},
     raster::YAxis,
 };
 use rasterscope_figure::theme::Color;
@@ -31,7 +32,7 @@ fn outlines(subject: &Subject<'_>, filled: bool) -> Vec<Mark> {
     if triangles.len() > OUTLINED {
         return Vec::new();
     }
-    let outline = |triangle: &rasterscope_core::pipeline::ScreenTriangle| Mark::Polygon {
+    let outline = |triangle: &ScreenTriangle| Mark::Polygon {
         points: triangle.vertices.map(|[x, y, _]| [x, y]).to_vec(),
         role: Role::Neutral,
         object: filled.then_some(triangle.draw as usize),
@@ -68,7 +69,7 @@ pub(super) fn viewport(subject: &Subject<'_>) -> Drawing {
             _ => subject.color(coverage.last[i] as usize),
         }));
     } else if subject.is_named() {
-        let screen = subject.outputs.draws.iter().flat_map(|draw| draw.screen());
+        let screen = subject.outputs.draws.iter().flat_map(DrawOutputs::screen);
         marks.extend(screen.map(|&[x, y, ..]| Mark::Point { at: [x, y], role: Role::Neutral, label: None }));
     }
     drawing(subject, marks, "tour-picture-viewport")
@@ -118,7 +119,8 @@ pub(super) fn stencil(subject: &Subject<'_>) -> Drawing {
     let stencil = &subject.outputs.frame.stencil;
     let clear = subject.scene.clear.stencil;
     let most = stencil.iter().copied().max().unwrap_or(0).max(1);
-    let mut marks = vec![flat_image(subject, |i| shade(subject, f32::from(stencil[i]) / f32::from(most) * 0.5))];
+    let mut marks =
+        vec![flat_image(subject, |i| shade(subject, f32::from(stencil[i]) / f32::from(most) * 0.5))];
     if subject.is_small() {
         marks.extend(cells(subject, |i| {
             let role = if stencil[i] == clear { Role::Candidate } else { Role::Neutral };
@@ -165,10 +167,15 @@ pub(super) fn stored_clear(subject: &Subject<'_>) -> f32 {
 pub(super) fn blend(subject: &Subject<'_>) -> Drawing {
     let mut marks = vec![image(&subject.outputs.frame)];
     if subject.is_small() && subject.outputs.frame.stats.stage(Stage::Blend).on {
-        let blended = |draw: u32| subject.scene.draws.get(draw as usize).is_some_and(|draw| draw.blend.is_some());
+        let blended =
+            |draw: u32| subject.scene.draws.get(draw as usize).is_some_and(|draw| draw.blend.is_some());
         let coverage = subject.coverage();
         marks.extend(cells(subject, |i| {
-            (coverage.counts[i] > 0 && blended(coverage.last[i])).then_some((Role::Changed, None, Value::None))
+            (coverage.counts[i] > 0 && blended(coverage.last[i])).then_some((
+                Role::Changed,
+                None,
+                Value::None,
+            ))
         }));
     }
     drawing(subject, marks, "tour-picture-blend")

@@ -1,10 +1,10 @@
 //! What the tour is about: a scene and what every stage made of it.
 
 use rasterscope_core::{
-    pipeline::{Fate, Outputs, ScreenTriangle},
-    raster::{self, Settings, Span},
     math::Tally,
-    scene::{Draw, Scene},
+    pipeline::{DrawOutputs, Fate, Outputs, ScreenTriangle, draw_name, triangle_name},
+    raster::{self, Settings, Span},
+    scene::Scene,
     transform::{Projection, matrices::row},
 };
 use rasterscope_figure::theme::{Color, Theme};
@@ -36,10 +36,12 @@ impl<'a> Subject<'a> {
 
     /// The name of a draw: its own, or its number.
     pub(super) fn name(&self, draw: usize) -> String {
-        match self.scene.draws.get(draw) {
-            Some(Draw { name, .. }) if !name.is_empty() => name.clone(),
-            _ => format!("#{draw}"),
-        }
+        draw_name((draw, &self.scene.draws[draw]))
+    }
+
+    /// What a triangle of a draw is called.
+    pub(super) fn triangle_name(&self, draw: usize, triangle: u32) -> String {
+        triangle_name((draw, &self.scene.draws[draw]), triangle, None)
     }
 
     /// The fill of a draw.
@@ -77,17 +79,16 @@ impl<'a> Subject<'a> {
     }
 
     /// A point of camera space in world space.
-    pub(super) fn to_world(&self, p: [f32; 3]) -> [f32; 3] {
+    pub(super) fn world_of(&self, p: [f32; 3]) -> [f32; 3] {
         let axes = self.axes();
-        [0, 1, 2].map(|c| {
-            self.scene.camera.eye[c] + p[0] * axes[0][c] + p[1] * axes[1][c] + p[2] * axes[2][c]
-        })
+        [0, 1, 2]
+            .map(|c| self.scene.camera.eye[c] + p[0] * axes[0][c] + p[1] * axes[1][c] + p[2] * axes[2][c])
     }
 
     /// How far the pictures of the frustum go: to the far plane, but not far behind everything.
     pub(super) fn depth_shown(&self) -> f32 {
         let camera = &self.scene.camera;
-        let views = self.outputs.draws.iter().flat_map(|draw| draw.view());
+        let views = self.outputs.draws.iter().flat_map(DrawOutputs::view);
         let deepest = views.map(|p| -p[2]).filter(|d| d.is_finite() && *d <= camera.far).fold(0.0, f32::max);
         if deepest > 0.0 { camera.far.min((deepest * 1.25).max(camera.near * 2.0)) } else { camera.far }
     }
@@ -107,7 +108,7 @@ impl<'a> Subject<'a> {
     /// The corners of the visible part at a distance, counter-clockwise from the lower left.
     pub(super) fn window(&self, distance: f32) -> [[f32; 3]; 4] {
         let [x, y] = self.half_extent(distance);
-        [[-x, -y], [x, -y], [x, y], [-x, y]].map(|[x, y]| self.to_world([x, y, -distance]))
+        [[-x, -y], [x, -y], [x, y], [-x, y]].map(|[x, y]| self.world_of([x, y, -distance]))
     }
 
     /// The spans of one triangle on the screen.

@@ -106,6 +106,16 @@ impl Unit {
         }
     }
 
+    /// What comes into a stage.
+    pub fn into(stage: Stage) -> Self {
+        match stage {
+            Stage::Scene | Stage::Cull | Stage::Clip | Stage::ScanConversion => Self::Triangles,
+            Stage::Model | Stage::View | Stage::ClipSpace | Stage::Divide | Stage::Viewport => Self::Vertices,
+            Stage::Fragments => Self::Spans,
+            Stage::Stencil | Stage::Depth | Stage::Blend | Stage::Image => Self::Fragments,
+        }
+    }
+
     /// Message id of its short name.
     pub fn word(self) -> &'static str {
         match self {
@@ -121,9 +131,9 @@ impl Unit {
 /// The counters of one stage.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StageCount {
-    /// What came in, in the unit of the stage before.
+    /// What came in, in [`Unit::into`] the stage.
     pub came: u64,
-    /// What went out, in the stage's own unit.
+    /// What went out, in [`Unit::of`] the stage.
     pub went: u64,
     /// Whether any draw uses the stage.
     pub on: bool,

@@ -30,6 +30,14 @@ pub(crate) trait Lab: std::fmt::Debug {
     fn drag(&self, document: &mut Document, handle: usize, to: [f32; 2]);
 }
 
+/// What is open, to be edited.
+#[derive(Debug)]
+pub(crate) struct Open<'a> {
+    pub(crate) lab: &'a dyn Lab,
+    pub(crate) document: &'a mut Document,
+    pub(crate) view: &'a mut ViewState,
+}
+
 /// A point of the drawing that can be dragged.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Handle {

@@ -16,7 +16,8 @@ use crate::{
 };
 use rasterscope_core::{
     explain::{Mark, View},
-    pipeline::{Outputs, Pipeline, Skips, pixel_history},
+    memo::Memo,
+    pipeline::{Pipeline, Skips, pixel_history},
     raster::Algorithm,
     scene::Scene,
 };
@@ -30,20 +31,18 @@ pub(crate) struct Overview {
     /// Moves when the scene or the skips do.
     rev: u64,
     seen: Option<(Scene, Skips)>,
-    /// The image and the run that drew it.
-    image: Option<(usize, Arc<Vec<u8>>)>,
+    image: Arc<Vec<u8>>,
     space: space::Space,
-    drawing: Option<(DrawingKey, Rc<Picture>)>,
-    chips: Option<((u64, ThemeName), Rc<[Chip]>)>,
-    history: Option<((u64, [u32; 2]), Rc<History>)>,
-    table: Option<(u64, Rc<TextTable>)>,
+    picture: Memo<PictureKey, Rc<Picture>>,
+    chips: Memo<(u64, ThemeName), Rc<[Chip]>>,
+    table: Memo<u64, Rc<TextTable>>,
+    history: Memo<(u64, [u32; 2]), Rc<History>>,
 }
 
 /// What the overview's drawing depends on.
 #[derive(Clone, Debug, PartialEq)]
-struct DrawingKey {
+struct PictureKey {
     rev: u64,
-    scenery: Scenery,
     orbit: Option<Orbit>,
     outlines: bool,
     pixel: Option<[u32; 2]>,
@@ -65,12 +64,12 @@ impl Default for Overview {
             pipeline: Pipeline::new(Algorithm::Scanline),
             rev: 0,
             seen: None,
-            image: None,
+            image: Arc::default(),
             space: space::Space::default(),
-            drawing: None,
-            chips: None,
-            history: None,
-            table: None,
+            picture: Memo::default(),
+            chips: Memo::default(),
+            table: Memo::default(),
+            history: Memo::default(),
         }
     }
 }
@@ -82,17 +81,17 @@ impl Overview {
             return;
         }
         self.rev += 1;
-        self.pipeline.update(scene, &skips);
-        let runs = self.pipeline.image_runs();
-        let memo = self.image.as_ref().is_some_and(|(run, _)| *run == runs) && skips == Skips::ALL;
-        if !memo {
-            self.image = Some((runs, Arc::new(self.pipeline.outputs().frame.color.clone())));
+        let color = &self.pipeline.update(scene, &skips).frame.color;
+        // An equal image keeps its texture.
+        if *self.image != *color {
+            self.image = Arc::new(color.clone());
         }
         self.seen = Some((scene.clone(), skips));
     }
 
     /// What the stages made of the scene.
-    pub(crate) fn outputs(&self) -> &Outputs {
+    #[cfg(test)]
+    pub(crate) fn outputs(&self) -> &rasterscope_core::pipeline::Outputs {
         self.pipeline.outputs()
     }
 
@@ -105,49 +104,32 @@ impl Overview {
     /// The drawing of the overview.
     pub(crate) fn picture(&mut self, view: &mut ViewState) -> Option<Rc<Picture>> {
         let (scene, _) = self.seen.as_ref()?;
-        let orbit = (view.scenery == Scenery::Space)
-            .then(|| *view.orbit.get_or_insert_with(|| space::first_orbit(self.pipeline.outputs(), scene)));
-        let key = DrawingKey {
-            rev: self.rev,
-            scenery: view.scenery,
-            orbit,
-            outlines: view.outlines,
-            pixel: view.pixel,
-        };
-        if let Some((_, picture)) = self.drawing.as_ref().filter(|(old, _)| *old == key) {
-            return Some(Rc::clone(picture));
-        }
-        let rev = self.drawing.as_ref().map_or(0, |(_, picture)| picture.rev) + 1;
         let outputs = self.pipeline.outputs();
-        let (maker, (marks, view)) = match (orbit, &self.image) {
-            (Some(orbit), _) => (Maker::Space, self.space.drawing(outputs, scene, &orbit)),
-            (None, Some((_, rgba))) => (Maker::Image, image::drawing(outputs, scene, rgba, view)),
-            (None, None) => return None,
-        };
-        let picture = Rc::new(Picture { marks, view, maker, rev });
-        self.drawing = Some((key, Rc::clone(&picture)));
-        Some(picture)
+        let orbit = (view.scenery == Scenery::Space)
+            .then(|| *view.orbit.get_or_insert_with(|| space::first_orbit(outputs, scene)));
+        let key = PictureKey { rev: self.rev, orbit, outlines: view.outlines, pixel: view.pixel };
+        let rev = self.picture.runs() as u64;
+        let picture = self.picture.get(key, |_| {
+            let (maker, (marks, view)) = match orbit {
+                Some(orbit) => (Maker::Space, self.space.drawing(outputs, scene, &orbit)),
+                None => (Maker::Image, image::drawing(outputs, scene, &self.image, view)),
+            };
+            Rc::new(Picture { marks, view, maker, rev })
+        });
+        Some(Rc::clone(picture))
     }
 
     /// The chips of the ribbon.
     pub(crate) fn chips(&mut self, theme: ThemeName, words: &Words) -> Rc<[Chip]> {
-        let key = (self.rev, theme);
-        if let Some((_, chips)) = self.chips.as_ref().filter(|(old, _)| *old == key) {
-            return Rc::clone(chips);
-        }
-        let chips: Rc<[Chip]> = chips::chips(self.pipeline.outputs(), theme, words).into();
-        self.chips = Some((key, Rc::clone(&chips)));
-        chips
+        let outputs = self.pipeline.outputs();
+        let chips = self.chips.get((self.rev, theme), |_| chips::chips(outputs, theme, words).into());
+        Rc::clone(chips)
     }
 
     /// What came into every stage, what went out, what was dropped.
     pub(crate) fn table(&mut self, words: &Words) -> Rc<TextTable> {
-        if let Some((_, table)) = self.table.as_ref().filter(|(rev, _)| *rev == self.rev) {
-            return Rc::clone(table);
-        }
-        let table = Rc::new(chips::table(&self.pipeline.outputs().frame.stats, words));
-        self.table = Some((self.rev, Rc::clone(&table)));
-        table
+        let stats = &self.pipeline.outputs().frame.stats;
+        Rc::clone(self.table.get(self.rev, |_| Rc::new(chips::table(stats, words))))
     }
 
     /// The history of a pixel, in words.
@@ -156,13 +138,10 @@ impl Overview {
         if pixel[0] >= scene.size[0] || pixel[1] >= scene.size[1] {
             return None;
         }
-        let key = (self.rev, pixel);
-        if let Some((_, history)) = self.history.as_ref().filter(|(old, _)| *old == key) {
-            return Some(Rc::clone(history));
-        }
-        let of = pixel_history(scene, self.pipeline.outputs(), pixel);
-        let history = Rc::new(History::new(&of, scene, words));
-        self.history = Some((key, Rc::clone(&history)));
-        Some(history)
+        let outputs = self.pipeline.outputs();
+        let history = self.history.get((self.rev, pixel), |_| {
+            Rc::new(History::new(&pixel_history(scene, outputs, pixel), scene, words))
+        });
+        Some(Rc::clone(history))
     }
 }

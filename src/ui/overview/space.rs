@@ -19,6 +19,9 @@ const MOST_OUTLINES: usize = 64;
 /// The image of a model, in pixels; its height shows what [`Orbit::view`] frames.
 const SIZE: [u32; 2] = [960, 640];
 
+/// How much wider than high a canvas is at least.
+const WIDE: f32 = 1.05;
+
 /// The view from outside.
 #[derive(Debug, Default)]
 pub(super) struct Space {
@@ -33,8 +36,14 @@ pub(super) fn first_orbit(outputs: &Outputs, scene: &Scene) -> Orbit {
     for draw in &outputs.draws {
         points.extend(draw.world().iter().map(|[x, y, z, _]| [*x, *y, *z]));
     }
-    // The sphere round everything leaves much room at the sides.
-    Orbit::framing(&points, 0.9, 0.3).nearer(1.25)
+    // The sphere round everything leaves room: go nearer until the outermost point is at the border.
+    let mut orbit = Orbit::framing(&points, 0.9, 0.3);
+    for _ in 0..4 {
+        let seen = points.iter().filter_map(|&point| orbit.project(point));
+        let most = seen.map(|[x, y]| (x.abs() / WIDE).max(y.abs())).fold(0.0, f32::max);
+        orbit = orbit.nearer(if most > 0.0 { 0.92 / most } else { 1.0 });
+    }
+    orbit
 }
 
 fn frustum(outputs: &Outputs, scene: &Scene) -> Option<[[f32; 3]; 8]> {

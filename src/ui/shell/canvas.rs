@@ -1,22 +1,27 @@
 //! The canvas: the drawing of the step, handles to drag, zoom, pan, and the readout.
 
+use super::handles::{self, Plane};
 use crate::{
-    document::{Document, Snap, Tab, ViewState},
+    document::{Tab, ViewState},
     face::Face,
-    labs::{Handle, Kind, Lab},
+    labs::{Handle, Open},
     paint::{self, Textures},
     theme::Text,
     widgets::text_in,
 };
 use egui::{
-    Align2, CursorIcon, Id, Key, Modifiers, PointerButton, Pos2, Rect, Response, Role as Part, Sense, Stroke,
-    StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Align2, Id, PointerButton, Pos2, Rect, Response, Role as Part, Sense, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
-use rasterscope_core::explain::{Grid, Mark, View};
-use rasterscope_figure::{figure::Figure, layout, placement::Placement, theme::ThemeName, words::Words};
+use rasterscope_core::{
+    explain::{Grid, Mark, View},
+    message::Message,
+};
+use rasterscope_figure::{
+    figure::Figure,
+    layout::{self, Placement, Places},
+    theme::ThemeName,
+};
 
-/// A handle is caught within this distance.
-const CATCH: f32 = 14.0;
 /// Handles nearer than this to the border make the drawing fit anew.
 const BORDER: f32 = 24.0;
 /// Room round a fitted drawing.
@@ -50,7 +55,7 @@ pub(crate) struct Canvas {
     fitted: Option<(View, Vec2, Maker)>,
     /// Whether the user has zoomed or moved the drawing.
     moved: bool,
-    figure: Option<(FigureKey, Figure)>,
+    figure: Option<(FigureKey, Figure, Places)>,
     handles: Vec<Id>,
     dragging: bool,
     /// How often a figure was laid out: tests assert on it.
@@ -58,7 +63,7 @@ pub(crate) struct Canvas {
 }
 
 /// What a figure was made of.
-type FigureKey = ((Maker, u64), Placement, Vec2, ThemeName);
+type FigureKey = ((Maker, u64), Placement, Vec2, ThemeName, bool);
 
 impl Canvas {
     /// Fits the drawing into the canvas at the next frame.
@@ -84,45 +89,57 @@ impl Canvas {
         face: &Face<'_>,
         textures: &mut Textures,
         drawing: Drawing<'_>,
-        lab: &dyn Lab,
-        document: &mut Document,
-        view: &mut ViewState,
+        open: &mut Open<'_>,
     ) {
         let rect = ui.max_rect();
         // A camera of its own looks at the scene from outside: there is no plane to drag in.
         let space = drawing.rev.0 == Maker::Space;
-        let handles = if space { Vec::new() } else { lab.handles(document) };
+        let handles = if space { Vec::new() } else { open.lab.handles(open.document) };
         self.place(drawing, rect.size(), &handles);
         let background = ui.interact(rect, ui.scope_id().with("canvas"), Sense::click_and_drag());
         background.widget_info(|| WidgetInfo::labeled(Part::Canvas, true, face.say("ui-canvas")));
         if space {
-            turn(ui, rect, &background, view);
+            turn(ui, rect, &background, open.view);
         } else {
-            self.navigate(ui, rect, &background, drawing, view);
+            self.navigate(ui, rect, &background, drawing, open.view);
         }
         let Some(placement) = self.placement else { return };
-        self.handles.clear();
-        let before = document.clone();
-        let shown: Vec<(Response, Handle)> = handles
-            .into_iter()
-            .enumerate()
-            .filter(|(_, handle)| rect.contains(place(rect, placement, handle.at)))
-            .map(|(i, handle)| {
-                (self.handle(ui, rect, placement, i, &handle, drawing, lab, document, view), handle)
-            })
-            .collect();
-        self.dragging = shown.iter().any(|(response, _)| response.dragged());
-        if *document != before {
-            // The run is behind by one edit; the next frame shows it.
-            ui.ctx().request_repaint();
-        }
+        let plane = Plane { rect, placement, y_up: drawing.view.y_up };
+        let shown = self.move_handles(ui, &plane, &handles, open);
         let figure = self.figure(drawing, placement, rect.size(), face);
         paint::figure(ui.painter(), textures, rect.min, figure);
         for (response, handle) in &shown {
-            let at = place(rect, placement, handle.at);
-            paint_handle(ui, face, response, at, handle.kind);
+            handles::paint(ui, face, response, plane.place(handle.at), handle.kind);
         }
-        readout(ui, face, rect, placement, &background, drawing, space);
+        readout(ui, face, &plane, &background, drawing);
+    }
+
+    /// Lets every handle be moved; what moves edits the document.
+    fn move_handles<'h>(
+        &mut self,
+        ui: &Ui,
+        plane: &Plane,
+        handles: &'h [Handle],
+        open: &mut Open<'_>,
+    ) -> Vec<(Response, &'h Handle)> {
+        self.handles.clear();
+        let mut shown = Vec::with_capacity(handles.len());
+        for (index, handle) in handles.iter().enumerate() {
+            if !plane.rect.contains(plane.place(handle.at)) {
+                continue;
+            }
+            let id = ui.scope_id().with(("handle", open.lab.name(), index));
+            self.handles.push(id);
+            let (response, moved) = handles::interact(ui, plane, id, handle, open.view.snap);
+            if let Some(to) = moved.filter(|to| *to != handle.at) {
+                open.lab.drag(open.document, index, to);
+                // The run is behind by one edit; the next frame shows it.
+                ui.ctx().request_repaint();
+            }
+            shown.push((response, handle));
+        }
+        self.dragging = shown.iter().any(|(response, _)| response.dragged());
+        shown
     }
 
     fn place(&mut self, drawing: Drawing<'_>, size: Vec2, handles: &[Handle]) {
@@ -177,73 +194,25 @@ impl Canvas {
             }
         }
         if let Some(at) = ground.interact_pointer_pos().filter(|_| ground.clicked() && has_pixels(drawing)) {
-            view.pixel = pixel_at(*placement, rect, at);
+            view.pixel = pixel_at(&Plane { rect, placement: *placement, y_up: drawing.view.y_up }, at);
             if drawing.rev.0 == Maker::Image {
                 view.tab = Tab::Pixel;
             }
         }
     }
 
-    #[expect(clippy::too_many_arguments, reason = "one step of `show`, cut out to be readable")]
-    fn handle(
-        &mut self,
-        ui: &Ui,
-        rect: Rect,
-        placement: Placement,
-        index: usize,
-        handle: &Handle,
-        drawing: Drawing<'_>,
-        lab: &dyn Lab,
-        document: &mut Document,
-        view: &ViewState,
-    ) -> Response {
-        let at = place(rect, placement, handle.at);
-        let id = ui.scope_id().with(("handle", lab.name(), index));
-        let catch = Rect::from_center_size(at, Vec2::splat(2.0 * CATCH)).intersect(rect);
-        let response = ui.interact(catch, id, Sense::click_and_drag());
-        response.widget_info(|| WidgetInfo::labeled(Part::Slider, true, &handle.name));
-        self.handles.push(id);
-        let (snap, shift, alt) = ui.input(|input| (view.snap, input.modifiers.shift, input.modifiers.alt));
-        let snap = if alt { Snap::Off } else { snap };
-        if response.drag_started() || response.clicked() {
-            response.request_focus();
-        }
-        if let Some(pointer) = response.interact_pointer_pos().filter(|_| response.dragged()) {
-            let start = ui.input(|input| input.pointer.press_origin()).unwrap_or(pointer);
-            let mut to = pointer - rect.min;
-            if shift {
-                let by = pointer - start;
-                let origin = start - rect.min;
-                to = if by.x.abs() > by.y.abs() { vec2(to.x, origin.y) } else { vec2(origin.x, to.y) };
-            }
-            let to = placement.to_scene([to.x, to.y]).map(|c| snap.snap(c));
-            lab.drag(document, index, only(handle.kind, handle.at, to));
-        }
-        if response.has_focus() {
-            let by = arrows(ui, drawing.view.y_up);
-            if by != Vec2::ZERO {
-                let step = if shift { snap.step() / 10.0 } else { snap.step() };
-                let to = [handle.at[0] + by.x * step, handle.at[1] + by.y * step]
-                    .map(|c| (c * 4096.0).round() / 4096.0);
-                lab.drag(document, index, only(handle.kind, handle.at, to));
-            }
-        }
-        let dragged = response.dragged();
-        response.on_hover_cursor(match handle.kind {
-            Kind::SideX => CursorIcon::ResizeHorizontal,
-            Kind::SideY => CursorIcon::ResizeVertical,
-            _ if dragged => CursorIcon::Grabbing,
-            _ => CursorIcon::Grab,
-        })
-    }
-
     fn figure(&mut self, drawing: Drawing<'_>, placement: Placement, size: Vec2, face: &Face<'_>) -> &Figure {
-        let key = (drawing.rev, placement, size, face.look.theme.name);
-        if self.figure.as_ref().is_none_or(|(old, _)| *old != key) {
+        let theme = face.look.theme;
+        let key = (drawing.rev, placement, size, theme.name, self.dragging);
+        if self.figure.as_ref().is_none_or(|(old, ..)| *old != key) {
             self.drawn += 1;
             let view = View { grid: grid(drawing, placement), ..*drawing.view };
-            let drawing = Drawing { view: &view, ..drawing };
-            self.figure = Some((key, draw(drawing, placement, size, face.look.theme.name, face.words)));
+            // Labels stay where they are while something is dragged, so that they do not jump.
+            let held = self.figure.take().filter(|_| self.dragging).map(|(_, _, places)| places);
+            let (size, words) = ([size.x, size.y], (theme, face.words));
+            let (figure, places) =
+                layout::draw_held(drawing.marks, &view, &placement, size, words, held.as_ref());
+            self.figure = Some((key, figure, places));
         }
         &self.figure.as_ref().expect("made above").1
     }
@@ -282,111 +251,29 @@ fn grid(drawing: Drawing<'_>, placement: Placement) -> Grid {
     if large && placement.scale >= 5.0 { Grid::Pixels } else { drawing.view.grid }
 }
 
-/// A drawing as a figure.
-pub(crate) fn draw(
-    drawing: Drawing<'_>,
-    placement: Placement,
-    size: Vec2,
-    theme: ThemeName,
-    words: &Words,
-) -> Figure {
-    layout::draw(drawing.marks, drawing.view, &placement, [size.x, size.y], theme.theme(), words)
-}
-
-/// A side moves along one axis only.
-fn only(kind: Kind, from: [f32; 2], to: [f32; 2]) -> [f32; 2] {
-    match kind {
-        Kind::SideX => [to[0], from[1]],
-        Kind::SideY => [from[0], to[1]],
-        Kind::Point | Kind::Corner => to,
-    }
-}
-
-/// The arrow keys pressed, as a direction in the scene.
-fn arrows(ui: &Ui, y_up: bool) -> Vec2 {
-    let up = if y_up { 1.0 } else { -1.0 };
-    let keys = [
-        (Key::ArrowLeft, vec2(-1.0, 0.0)),
-        (Key::ArrowRight, vec2(1.0, 0.0)),
-        (Key::ArrowUp, vec2(0.0, up)),
-        (Key::ArrowDown, vec2(0.0, -up)),
-    ];
-    ui.input_mut(|input| {
-        keys.into_iter()
-            .map(|(key, by)| by * input.count_and_consume_key(Modifiers::NONE, key) as f32)
-            .fold(Vec2::ZERO, |sum, by| sum + by)
-    })
-}
-
-fn place(rect: Rect, placement: Placement, at: [f32; 2]) -> Pos2 {
-    rect.min + Vec2::from(placement.to_points(at))
-}
-
-fn pixel_at(placement: Placement, rect: Rect, at: Pos2) -> Option<[u32; 2]> {
-    let at = at - rect.min;
-    let [x, y] = placement.to_scene([at.x, at.y]);
-    (x >= 0.0 && y >= 0.0).then(|| [x as u32, y as u32])
-}
-
-fn paint_handle(ui: &Ui, face: &Face<'_>, response: &Response, at: Pos2, kind: Kind) {
-    let (painter, look) = (ui.painter(), face.look);
-    let busy = response.dragged() || response.hovered();
-    let stroke = look.stroke(if busy { 3.0 } else { 2.0 }, look.text);
-    let fill = if response.dragged() { look.text } else { look.canvas };
-    match kind {
-        Kind::Point => {
-            painter.circle(at, 7.0, fill, stroke);
-            painter.circle_filled(at, 2.2, look.text);
-        }
-        _ => {
-            let square = Rect::from_center_size(at, Vec2::splat(if busy { 11.0 } else { 10.0 }));
-            painter.rect(
-                square,
-                0,
-                fill,
-                Stroke::new(if busy { 2.5 } else { 1.5 }, look.text),
-                StrokeKind::Middle,
-            );
-        }
-    }
-    if response.has_focus() {
-        painter.circle_stroke(at, 12.0, look.focus_stroke());
-    }
+fn pixel_at(plane: &Plane, at: Pos2) -> Option<[u32; 2]> {
+    let [x, y] = plane.point(at);
+    (x >= 0.0 && y >= 0.0).then_some([x as u32, y as u32])
 }
 
 /// What lies under the pointer, at the foot of the canvas.
-fn readout(
-    ui: &Ui,
-    face: &Face<'_>,
-    rect: Rect,
-    placement: Placement,
-    ground: &Response,
-    drawing: Drawing<'_>,
-    space: bool,
-) {
-    if space {
-        return foot(ui, face, rect, &face.say("ui-readout-space"));
+fn readout(ui: &Ui, face: &Face<'_>, plane: &Plane, ground: &Response, drawing: Drawing<'_>) {
+    if drawing.rev.0 == Maker::Space {
+        return foot(ui, face, plane.rect, &face.say("ui-readout-space"));
     }
-    let Some(at) = ui.ctx().pointer_hover_pos().filter(|at| rect.contains(*at) && ground.contains_pointer())
-    else {
+    let hover = ui.ctx().pointer_hover_pos();
+    let Some(at) = hover.filter(|at| plane.rect.contains(*at) && ground.contains_pointer()) else { return };
+    let message = if has_pixels(drawing) {
+        let Some([x, y]) = pixel_at(plane, at) else { return };
+        let centre = [x as f32 + 0.5, y as f32 + 0.5];
+        Message::new("ui-readout-pixel").with("x", x).with("y", y).with("centre", centre)
+    } else if drawing.view.grid == Grid::Units {
+        let at = plane.point(at).map(|c| (c * 100.0).round() / 100.0);
+        Message::new("ui-readout-point").with("at", at)
+    } else {
         return;
     };
-    let [x, y] = placement.to_scene((at - rect.min).into());
-    let kind = if has_pixels(drawing) { Grid::Pixels } else { drawing.view.grid };
-    let message = match (kind, pixel_at(placement, rect, at)) {
-        (Grid::Pixels, Some([x, y])) => face.words.message(
-            &rasterscope_core::message::Message::new("ui-readout-pixel")
-                .with("x", x)
-                .with("y", y)
-                .with("centre", [x as f32 + 0.5, y as f32 + 0.5]),
-        ),
-        (Grid::Pixels, None) | (Grid::None, _) => return,
-        (Grid::Units, _) => {
-            let round = |c: f32| (c * 100.0).round() / 100.0;
-            face.say_with("ui-readout-point", "at", [round(x), round(y)])
-        }
-    };
-    foot(ui, face, rect, &message);
+    foot(ui, face, plane.rect, &face.words.message(&message));
 }
 
 /// One line at the foot of the canvas.

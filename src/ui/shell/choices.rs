@@ -1,9 +1,9 @@
 //! The choices: what is open and why it matters, presets, conventions, numbers.
 
 use crate::{
-    document::{Document, Snap, ViewState},
+    document::{Snap, ViewState},
     face::{Command, Face},
-    labs::Lab,
+    labs::Open,
     presets::PresetInfo,
     shell::Frame,
     theme::{Text, small_mono},
@@ -17,20 +17,13 @@ use rasterscope_figure::numbers;
 const MOST_PRESETS: usize = 8;
 
 /// Shows the choices of a lab and edits the document.
-pub(crate) fn show(
-    ui: &mut Ui,
-    face: &Face<'_>,
-    frame: &Frame<'_>,
-    lab: &dyn Lab,
-    document: &mut Document,
-    view: &mut ViewState,
-) {
+pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, open: &mut Open<'_>) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.set_width(ui.available_width());
         ui.label(face.rich(&frame.title, Text::Title));
         ui.label(face.dim(&frame.about, Text::Label));
         presets(ui, face, frame);
-        lab.controls(ui, face, document, view);
+        open.lab.controls(ui, face, open.document, open.view);
     });
 }
 
@@ -62,7 +55,7 @@ fn preset(ui: &mut Ui, face: &Face<'_>, preset: &PresetInfo, chosen: bool) {
         }
         let font = face.look.font(if chosen { Text::LabelStrong } else { Text::Label });
         let color = if chosen { face.look.text } else { face.look.dim };
-        let room = rect.with_min_x(rect.left() + 12.0);
+        let room = rect.with_min_x(rect.left() + 9.0);
         text_in(ui.painter(), room, Align2::LEFT_CENTER, &preset.title, font, color);
     });
     if response.on_hover_text(&preset.note).clicked() {

@@ -40,7 +40,7 @@ pub(crate) fn pressed(ctx: &Context, handles: &[Id]) -> Vec<Command> {
     if ctx.text_edit_focused() || Popup::is_any_open(ctx) {
         return Vec::new();
     }
-    let focused = ctx.memory(|memory| memory.focused());
+    let focused = ctx.memory(egui::Memory::focused);
     let handle = focused.is_some_and(|id| handles.contains(&id));
     ctx.input_mut(|input| {
         let mut commands = Vec::new();

@@ -6,7 +6,10 @@ use crate::{
     theme::Text,
     widgets::{Icon, State, icon_button, text_in},
 };
-use egui::{Align2, Button, MenuBar, Rect, RichText, Sense, Ui, WidgetInfo, pos2, vec2};
+use egui::{
+    Align2, Button, MenuBar, Rect, RichText, Sense, Style, Ui, WidgetInfo, containers::menu::menu_style,
+    pos2, vec2,
+};
 use rasterscope_figure::theme::ThemeName;
 
 /// Factors of the text size that can be chosen, with their messages.
@@ -16,7 +19,13 @@ const TEXT_SIZES: [(f32, &str); 4] =
 /// Shows the menu bar.
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
     let bar = ui.max_rect();
+    let ring = face.look.focus_stroke();
+    let style = move |style: &mut Style| {
+        menu_style(style);
+        style.visuals.widgets.active.bg_stroke = ring;
+    };
     let left = MenuBar::new()
+        .style(style)
         .ui(ui, |ui| {
             ui.set_height(bar.height() - 2.0);
             ui.spacing_mut().item_spacing.x = 6.0;

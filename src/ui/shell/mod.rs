@@ -2,6 +2,7 @@
 
 pub(crate) mod canvas;
 pub(crate) mod choices;
+pub(crate) mod handles;
 pub(crate) mod header;
 pub(crate) mod inspector;
 pub(crate) mod keys;

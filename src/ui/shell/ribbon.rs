@@ -120,8 +120,9 @@ fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip
     let row = |y: f32, height: f32| {
         Rect::from_min_max(pos2(left, at.top() + y), pos2(at.right() - 4.0, at.top() + y + height))
     };
-    let font = look.font(if chosen { Text::LabelStrong } else { Text::Label });
-    text_in(painter, row(3.0, 20.0), Align2::LEFT_CENTER, &face.say(chip.stage.word()), font, ink);
+    let name = face.say(chip.stage.word());
+    let font = name_font(ui, face, &name, row(3.0, 20.0).width(), chosen);
+    text_in(painter, row(3.0, 20.0), Align2::LEFT_CENTER, &name, font, ink);
     let frame = Rect::from_min_size(pos2(left, at.top() + 26.0), vec2(36.0, 24.0));
     painter.rect_filled(frame, 0, look.canvas);
     if let Some(figure) = &chip.thumbnail {
@@ -136,7 +137,8 @@ fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip
         Some(count) => {
             let (count, font) = fitting(ui, face, count, beside(22.0).width());
             text_in(painter, beside(22.0), Align2::LEFT_CENTER, &count, font, ink);
-            text_in(painter, beside(37.0), Align2::LEFT_CENTER, &chip.unit, look.font(Text::Small), look.dim);
+            let unit = beside(37.0).with_max_x(at.right() + 6.0);
+            text_in(painter, unit, Align2::LEFT_CENTER, &chip.unit, look.font(Text::Small), look.dim);
         }
         None => text_in(painter, beside(29.0), Align2::LEFT_CENTER, &off, look.font(Text::Listing), dim),
     }
@@ -157,30 +159,43 @@ fn skipped(ui: &Ui, face: &Face<'_>, at: Rect, chip: &Chip, [left_free, right_fr
     text_in(painter, room, Align2::LEFT_CENTER, text, face.look.font(Text::Small), color);
 }
 
-/// A count in the largest font in which it fits; beyond that in thousands. The tooltip has it whole.
-fn fitting(ui: &Ui, face: &Face<'_>, count: &str, width: f32) -> (String, egui::FontId) {
-    let fits = |text: &str, font: &egui::FontId| {
+/// The largest of some fonts in which a text fits; the last one if none does.
+fn largest(ui: &Ui, face: &Face<'_>, text: &str, width: f32, fonts: &[Text]) -> (egui::FontId, bool) {
+    let fits = |font: &egui::FontId| {
         ui.painter().layout_no_wrap(text.to_owned(), font.clone(), face.look.text).size().x <= width
     };
-    let [large, small] = [Text::Count, Text::LabelStrong].map(|text| face.look.font(text));
-    let digits: String = count.chars().filter(char::is_ascii_digit).collect();
-    match digits.len() {
-        _ if fits(count, &large) => (count.to_owned(), large),
-        _ if fits(count, &small) => (count.to_owned(), small),
-        0..=3 => (count.to_owned(), small),
-        _ => {
-            let thousands = digits.parse().map_or(0, |n: u64| (n + 500) / 1000);
-            (face.say_with("ui-thousands", "count", thousands as usize), large)
-        }
+    let fonts: Vec<_> = fonts.iter().map(|text| face.look.font(*text)).collect();
+    match fonts.iter().find(|font| fits(font)) {
+        Some(font) => (font.clone(), true),
+        None => (fonts[fonts.len() - 1].clone(), false),
     }
 }
 
+/// The font of a stage's name.
+fn name_font(ui: &Ui, face: &Face<'_>, name: &str, width: f32, chosen: bool) -> egui::FontId {
+    let first = if chosen { Text::LabelStrong } else { Text::Label };
+    largest(ui, face, name, width, &[first, Text::Small]).0
+}
+
+/// A count in full if it fits, else in thousands; the tooltip has it in full.
+fn fitting(ui: &Ui, face: &Face<'_>, count: &str, width: f32) -> (String, egui::FontId) {
+    let (font, fits) = largest(ui, face, count, width, &[Text::Count, Text::LabelStrong]);
+    let digits: String = count.chars().filter(char::is_ascii_digit).collect();
+    if fits || digits.len() <= 3 {
+        return (count.to_owned(), font);
+    }
+    let thousands = digits.parse().map_or(0, |n: u64| (n + 500) / 1000);
+    (face.say_with("ui-thousands", "count", thousands as usize), font)
+}
+
+/// Names and counts.
 fn flat(ui: &Ui, face: &Face<'_>, at: Rect, chip: &Chip, chosen: bool) {
     let [ink, dim] = colors(face, chip, chosen);
     let row =
         |y: f32| Rect::from_min_size(pos2(at.left() + 10.0, at.top() + y), vec2(at.width() - 14.0, 18.0));
-    let font = face.look.font(if chosen { Text::LabelStrong } else { Text::Label });
-    text_in(ui.painter(), row(4.0), Align2::LEFT_CENTER, &face.say(chip.stage.word()), font, ink);
+    let name = face.say(chip.stage.word());
+    let font = name_font(ui, face, &name, row(4.0).width(), chosen);
+    text_in(ui.painter(), row(4.0), Align2::LEFT_CENTER, &name, font, ink);
     text_in(
         ui.painter(),
         row(21.0),

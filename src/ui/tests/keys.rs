@@ -108,3 +108,15 @@ fn tab_reaches_a_handle_and_arrows_move_it() {
     );
     assert!(at > 0);
 }
+
+#[test]
+fn a_handle_dragged_by_the_mouse_leaves_the_arrow_keys_to_the_steps() {
+    let mut window = window_with("cohen-sutherland");
+    let from = place(&window, "P1").center();
+    drag(&mut window, from, from + vec2(20.0, -30.0));
+    let document = window.state().app().document.clone();
+    let last = len(&window);
+    window.key_press(Key::ArrowLeft);
+    window.run();
+    assert_eq!((cursor(&window), &window.state().app().document), (last - 1, &document));
+}

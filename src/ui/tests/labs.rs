@@ -1,4 +1,5 @@
 use super::*;
+use crate::document::Tab;
 use egui::{Key, Modifiers};
 
 /// Every registered lab: step, back, scrub, edit by handle, undo, redo.
@@ -122,4 +123,58 @@ fn a_narrow_window_folds() {
     window.key_press(Key::Escape);
     window.run();
     assert!(window.query_by_label("Preset").is_none());
+}
+
+#[test]
+fn choosing_a_pixel_draws_no_image_again() {
+    let mut window = window(1280.0, 720.0);
+    let counts = |window: &Window| {
+        let app = window.state().app();
+        (app.overview.image_runs(), app.textures.made(), app.run.runs())
+    };
+    let before = counts(&window);
+    for pixel in [[13, 11], [20, 5]] {
+        window.state_mut().app_mut().view.pixel = Some(pixel);
+        window.state_mut().app_mut().view.tab = Tab::Pixel;
+        window.run();
+        window.get_by_label(&format!("Pixel ({}, {})", pixel[0], pixel[1]));
+    }
+    assert_eq!(counts(&window), before, "images, textures, runs");
+}
+
+#[test]
+fn a_click_tells_why_a_pixel_is_as_it_is() {
+    let mut window = window(1280.0, 720.0);
+    let centre = place(&window, "Canvas").center();
+    window.hover_at(centre);
+    window.run();
+    window.drag_at(centre);
+    window.step();
+    window.drop_at(centre);
+    window.run();
+    let app = window.state().app();
+    assert!(app.view.pixel.is_some() && app.view.tab == Tab::Pixel);
+    assert!(window.query_by_label_contains("A.1: passed").is_some());
+}
+
+#[test]
+fn a_dragged_vertex_moves_the_counts_of_the_stages() {
+    let mut window = window(1280.0, 720.0);
+    let before = window.state().app().overview.outputs().frame.stats;
+    let from = place(&window, "B0").center();
+    drag(&mut window, from, from + vec2(60.0, -40.0));
+    assert_ne!(window.state().app().overview.outputs().frame.stats, before);
+}
+
+#[test]
+fn the_camera_outside_turns_and_comes_nearer() {
+    let mut window = window(1280.0, 720.0);
+    click(&mut window, "Space");
+    let orbit = |window: &Window| window.state().app().view.orbit.expect("it is used");
+    let before = orbit(&window);
+    let centre = place(&window, "Canvas").center();
+    drag(&mut window, centre, centre + vec2(80.0, 20.0));
+    let turned = orbit(&window);
+    assert!(turned.yaw != before.yaw && turned.pitch != before.pitch && turned.distance == before.distance);
+    assert!(!window.state().app().history.can_undo(), "the view is no document");
 }

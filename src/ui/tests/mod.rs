@@ -72,8 +72,12 @@ fn window(width: f32, height: f32) -> Window {
         .with_context_setup(|ctx| ctx.set_fonts(theme::fonts()))
         .build_ui_state(
             |ui, desk: &mut Desk| {
+                // As in a real window: no margin round the app.
+                let rect = ui.ctx().content_rect();
+                let mut whole = ui.new_child(egui::UiBuilder::new().max_rect(rect));
+                whole.set_clip_rect(rect);
                 let app = desk.app.get_or_insert_with(|| App::new(ui.ctx()));
-                app.ui(ui, &mut desk.platform);
+                app.ui(&mut whole, &mut desk.platform);
             },
             Desk { app: None, platform: Memory::default() },
         );

@@ -20,7 +20,7 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown) {
     let look = face.look;
     ui.add_space(8.0);
     for (i, line) in shown.listing.iter().enumerate() {
-        let galley = galley(ui, face, line);
+        let (left, galley) = layout(ui, face, line);
         let size = vec2(ui.available_width(), galley.size().y.max(look.line_height(Text::Listing)));
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
         let lit = shown.line == Some(i);
@@ -39,7 +39,7 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown) {
         let number = if lit { look.text } else { look.dim };
         let at = pos2(rect.left() + 28.0, rect.top() + look.line_height(Text::Listing) / 2.0);
         ui.painter().text(at, Align2::RIGHT_CENTER, (i + 1).to_string(), look.font(Text::Listing), number);
-        ui.painter().galley(pos2(rect.left() + NUMBERS, rect.top()), galley, look.text);
+        ui.painter().galley(pos2(rect.left() + left, rect.top()), galley, look.text);
         focus_ring(ui, &response, rect, look);
         if response.on_hover_text(face.say("ui-listing-hint")).clicked() {
             face.ask(Command::ToLine(i));
@@ -48,16 +48,16 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown) {
     ui.add_space(8.0);
 }
 
-/// One line; what does not fit goes on below, indented.
-fn galley(ui: &Ui, face: &Face<'_>, line: &str) -> std::sync::Arc<egui::Galley> {
+/// One line and how far it is indented; what does not fit goes on below.
+fn layout(ui: &Ui, face: &Face<'_>, line: &str) -> (f32, std::sync::Arc<egui::Galley>) {
     let code = line.trim_start();
-    let digit =
-        ui.painter().layout_no_wrap("0".to_owned(), face.look.font(Text::Listing), face.look.text).size().x;
-    let indent = digit * (line.len() - code.len()) as f32;
-    let mut format = TextFormat::simple(face.look.font(Text::Listing), face.look.text);
+    let font = face.look.font(Text::Listing);
+    let digit = ui.painter().layout_no_wrap("0".to_owned(), font.clone(), face.look.text).size().x;
+    let left = NUMBERS + digit * (line.len() - code.len()) as f32;
+    let mut format = TextFormat::simple(font, face.look.text);
     format.line_height = Some(face.look.line_height(Text::Listing));
     let mut job = LayoutJob::default();
-    job.wrap.max_width = ui.available_width() - NUMBERS - 6.0;
-    job.append(code, indent, format);
-    ui.painter().layout_job(job)
+    job.wrap.max_width = ui.available_width() - left - 6.0;
+    job.append(code, 0.0, format);
+    (left, ui.painter().layout_job(job))
 }

@@ -20,6 +20,9 @@ use rasterscope_figure::{
     words::Words,
 };
 
+/// Most rows of a table; of longer ones those round the current one are shown.
+const MOST_ROWS: usize = 200;
+
 /// A step in words and numbers; made anew only when the step changes.
 #[derive(Clone, Debug)]
 pub(crate) struct Digest {
@@ -91,7 +94,7 @@ pub(crate) fn show(
                 (Tab::Listing, Some(shown), _) => listing::show(ui, face, shown),
                 (Tab::Values, _, Some(digest)) => {
                     for (i, one) in digest.tables.iter().enumerate() {
-                        table::show(ui, face, one, None, i == 0);
+                        table::show(ui, face, one, Some(MOST_ROWS), i == 0);
                     }
                     if let Some(stages) = whole.stages {
                         table::show(ui, face, stages, None, false);

@@ -43,7 +43,7 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, history: Option<&History>) {
 }
 
 fn head(ui: &mut Ui, face: &Face<'_>, history: &History) {
-    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 48.0), Sense::hover());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 48.0), Sense::hover());
     let swatch = Rect::from_center_size(pos2(rect.left() + 29.0, rect.center().y), vec2(24.0, 24.0));
     ui.painter().rect_filled(swatch, 0, theme::code(history.color));
     let ring =
@@ -51,6 +51,7 @@ fn head(ui: &mut Ui, face: &Face<'_>, history: &History) {
     ui.painter().rect_stroke(swatch, 0, ring, StrokeKind::Outside);
     let [x, y] = history.pixel;
     let title = face.words.message(&Message::new("ui-pixel-title").with("x", x).with("y", y));
+    response.widget_info(|| WidgetInfo::labeled(Part::Label, true, &title));
     let room = rect.with_min_x(swatch.right() + 12.0).with_max_x(rect.right() - 16.0);
     text_in(ui.painter(), room, Align2::LEFT_CENTER, &title, face.look.font(Text::Title), face.look.text);
 }

@@ -6,7 +6,7 @@ use egui::{
     Ui,
     text::{LayoutJob, TextFormat},
 };
-use rasterscope_figure::tables::Run as Piece;
+use rasterscope_figure::tables::{Run as Piece, TextTable};
 
 /// Most rows of a table that the digest shows; the tab Values shows all.
 const MOST_ROWS: usize = 9;
@@ -26,7 +26,13 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown, digest: &Digest)
         }
         ui.add_space(12.0);
     });
-    for (i, one) in digest.tables.iter().filter(|table| !table.rows.is_empty()).enumerate() {
+    // What the step is about; if it is about no table, the first one says where the run stands.
+    let about = |table: &&TextTable| table.rows.iter().any(|row| row.active || table::changed(row));
+    let mut tables: Vec<_> = digest.tables.iter().filter(about).collect();
+    if tables.is_empty() {
+        tables.extend(digest.tables.iter().find(|table| !table.rows.is_empty()));
+    }
+    for (i, one) in tables.into_iter().enumerate() {
         part_line(ui, face);
         table::show(ui, face, one, Some(MOST_ROWS), i == 0);
     }

@@ -4,7 +4,10 @@ use super::inset;
 use crate::{face::Face, paint, theme::Text};
 use egui::{Align2, Color32, FontId, Rect, Role as Part, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 use rasterscope_core::explain::Role;
-use rasterscope_figure::tables::{TextCell, TextRow, TextTable};
+use rasterscope_figure::{
+    numbers,
+    tables::{TextCell, TextRow, TextTable},
+};
 
 /// Room at both edges.
 const INSET: f32 = 16.0;
@@ -39,16 +42,26 @@ fn window(table: &TextTable, most: Option<usize>) -> std::ops::Range<usize> {
     if len <= most {
         return 0..len;
     }
-    let active = table.rows.iter().rposition(|row| row.active || row.changed()).unwrap_or(0);
+    let active = table.rows.iter().rposition(|row| row.active || changed(row)).unwrap_or(0);
     let first = (active + 2).saturating_sub(most).min(len - most);
     first..first + most
+}
+
+/// Whether a cell says something that it did not say before; that a value ended is no news.
+fn news(cell: &TextCell) -> bool {
+    cell.changed && !cell.text.is_empty() && cell.text != numbers::UNDEFINED
+}
+
+/// Whether any of a row's cells does.
+pub(super) fn changed(row: &TextRow) -> bool {
+    row.cells.iter().any(news)
 }
 
 fn title(ui: &mut Ui, face: &Face<'_>, table: &TextTable, key: bool) {
     inset(ui, |ui| {
         ui.horizontal(|ui| {
             ui.label(face.dim(&table.title, Text::LabelStrong));
-            if key && table.rows.iter().any(TextRow::changed) {
+            if key && table.rows.iter().any(changed) {
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                     let color = face.look.role(Role::Changed);
                     ui.label(face.rich(face.say("ui-changed"), Text::Label).color(color));
@@ -102,7 +115,7 @@ fn widths(ui: &Ui, face: &Face<'_>, table: &TextTable, rows: &[TextRow], dense: 
         ui.painter().layout_no_wrap(text.to_owned(), font(face, text, strong, dense), Color32::WHITE).size().x
     };
     let name = |row: &TextRow| {
-        measure(&row.name, row.active) + if row.role.is_some() || row.changed() { 18.0 } else { 0.0 }
+        measure(&row.name, row.active) + if row.role.is_some() || changed(row) { 18.0 } else { 0.0 }
     };
     let names = rows.iter().map(name).fold(0.0, f32::max);
     let column = |(i, heading): (usize, &String)| {
@@ -143,7 +156,7 @@ fn show_row(ui: &mut Ui, face: &Face<'_>, row: &TextRow, columns: &Columns) {
         return;
     }
     let painter = ui.painter();
-    let changed = row.changed();
+    let changed = changed(row);
     let ground = match (row.active, changed) {
         (true, _) => Some((look.lit, if look.now == look.lit { look.text } else { look.now })),
         (_, true) => Some((look.changed_bg, look.role(Role::Changed))),
@@ -165,7 +178,7 @@ fn show_row(ui: &mut Ui, face: &Face<'_>, row: &TextRow, columns: &Columns) {
         paint::marker(painter, pos2(end + 11.0, at.y), role, 9.0, look);
     }
     for (cell, right) in row.cells.iter().zip(&columns.right) {
-        let font = font(face, &cell.text, strong || cell.changed, columns.dense);
+        let font = font(face, &cell.text, strong || news(cell), columns.dense);
         show_cell(ui, face, cell, pos2(rect.left() + right, at.y), font, row.active);
     }
     let exact: Vec<String> =
@@ -177,9 +190,9 @@ fn show_row(ui: &mut Ui, face: &Face<'_>, row: &TextRow, columns: &Columns) {
 
 fn show_cell(ui: &Ui, face: &Face<'_>, cell: &TextCell, at: egui::Pos2, font: FontId, lit: bool) {
     let look = face.look;
-    let color = if cell.changed && !lit { look.role(Role::Changed) } else { look.text };
+    let color = if news(cell) && !lit { look.role(Role::Changed) } else { look.text };
     let rect = ui.painter().text(at, Align2::RIGHT_CENTER, &cell.text, font, color);
-    if cell.changed && !cell.text.is_empty() {
+    if news(cell) {
         let y = ui.painter().round_to_pixel_center(rect.bottom() + 1.0);
         ui.painter().hline(rect.x_range(), y, Stroke::new(2.0, look.role(Role::Changed)));
     }

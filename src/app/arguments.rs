@@ -1,0 +1,188 @@
+//! The command line.
+
+use clap::{Arg, ArgAction, ArgMatches, Command, builder::PossibleValuesParser, value_parser};
+use rasterscope_cli::{
+    figure::{self, FigureOptions},
+    tour::TourOptions,
+    trace::{TraceFormat, TraceOptions},
+};
+use rasterscope_figure::{theme::ThemeName, words::Words};
+use std::path::PathBuf;
+
+/// What is asked for.
+#[derive(Debug)]
+pub(crate) enum Request {
+    /// The window, with a file.
+    Window(Option<PathBuf>),
+    /// A request from a file.
+    ComputeFile(PathBuf),
+    /// Standard input: one request, or with `true` one a line.
+    Compute(bool),
+    /// The events of a run.
+    Trace(TraceOptions),
+    /// A picture.
+    Figure(FigureOptions),
+    /// The page.
+    Tour(TourOptions),
+    /// What there is.
+    List,
+}
+
+/// Reads the command line; a wrong one ends the program with exit code 2, as `--help` ends it with 0.
+pub(crate) fn read(words: &Words) -> Request {
+    request(&command(words).get_matches())
+}
+
+fn command(words: &Words) -> Command {
+    let path =
+        |name: &'static str, help| Arg::new(name).help(words.word(help)).value_parser(value_parser!(PathBuf));
+    let output = |help| path("output", help).short('o').long("output").required(true);
+    let names = |all: &[&'static str]| PossibleValuesParser::new(all.to_vec());
+    let sub = |name: &'static str, about| Command::new(name).about(words.word(about));
+    Command::new("rasterscope")
+        .version(env!("CARGO_PKG_VERSION"))
+        .about(words.word("app-about"))
+        .args_conflicts_with_subcommands(true)
+        .arg(path("file", "app-file"))
+        .subcommand(
+            sub("compute", "app-compute").arg(path("file", "app-compute-file")).arg(
+                Arg::new("lines")
+                    .long("lines")
+                    .help(words.word("app-compute-lines"))
+                    .action(ArgAction::SetTrue)
+                    .conflicts_with("file"),
+            ),
+        )
+        .subcommand(
+            sub("trace", "app-trace")
+                .arg(Arg::new("algorithm").help(words.word("app-trace-algorithm")).required(true))
+                .arg(path("file", "app-scene-or-request").required(true))
+                .arg(
+                    Arg::new("format")
+                        .long("format")
+                        .help(words.word("app-trace-format"))
+                        .default_value(TraceFormat::default().name())
+                        .value_parser(names(&TraceFormat::ALL.map(TraceFormat::name))),
+                ),
+        )
+        .subcommand(
+            sub("figure", "app-figure")
+                .arg(Arg::new("lab").help(words.word("app-figure-lab")).required(true))
+                .arg(path("file", "app-scene-or-request").required(true))
+                .arg(
+                    Arg::new("step")
+                        .long("step")
+                        .help(words.word("app-figure-step"))
+                        .value_parser(value_parser!(usize)),
+                )
+                .arg(
+                    Arg::new("size")
+                        .long("size")
+                        .value_name("WxH")
+                        .help(words.word("app-figure-size"))
+                        .value_parser(size_parser(words.word("app-error-size"))),
+                )
+                .arg(
+                    Arg::new("theme")
+                        .long("theme")
+                        .help(words.word("app-figure-theme"))
+                        .default_value(ThemeName::default().name())
+                        .value_parser(names(&ThemeName::ALL.map(ThemeName::name))),
+                )
+                .arg(output("app-figure-output")),
+        )
+        .subcommand(sub("tour", "app-tour").arg(path("file", "app-tour-file")).arg(output("app-tour-output")))
+        .subcommand(sub("list", "app-list"))
+}
+
+fn size_parser(wrong: String) -> impl Fn(&str) -> Result<[u32; 2], String> + Clone + Send + Sync + 'static {
+    move |text| {
+        let sides = text.split_once(['x', 'X', '×']);
+        let size = sides.and_then(|(width, height)| Some([width.parse().ok()?, height.parse().ok()?]));
+        size.ok_or_else(|| wrong.clone())
+    }
+}
+
+fn request(matches: &ArgMatches) -> Request {
+    let Some((name, matches)) = matches.subcommand() else { return Request::Window(path(matches, "file")) };
+    let text = |name| matches.get_one::<String>(name).cloned().unwrap_or_default();
+    match name {
+        "compute" => match path(matches, "file") {
+            Some(file) => Request::ComputeFile(file),
+            None => Request::Compute(matches.get_flag("lines")),
+        },
+        "trace" => Request::Trace(TraceOptions {
+            algorithm: text("algorithm"),
+            file: path(matches, "file").unwrap_or_default(),
+            format: TraceFormat::ALL
+                .into_iter()
+                .find(|format| format.name() == text("format"))
+                .unwrap_or_default(),
+        }),
+        "figure" => Request::Figure(FigureOptions {
+            lab: text("lab"),
+            file: path(matches, "file").unwrap_or_default(),
+            step: matches.get_one("step").copied(),
+            size: matches.get_one("size").copied().unwrap_or(figure::SIZE),
+            theme: ThemeName::from_name(&text("theme")).unwrap_or_default(),
+            output: path(matches, "output").unwrap_or_default(),
+        }),
+        "tour" => Request::Tour(TourOptions {
+            file: path(matches, "file"),
+            output: path(matches, "output").unwrap_or_default(),
+        }),
+        _ => Request::List,
+    }
+}
+
+fn path(matches: &ArgMatches, name: &str) -> Option<PathBuf> {
+    matches.get_one(name).cloned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(line: &str) -> Result<String, i32> {
+        let matches = command(&Words::default()).try_get_matches_from(line.split(' '));
+        matches.map(|matches| format!("{:?}", request(&matches))).map_err(|error| error.exit_code())
+    }
+
+    #[test]
+    fn command_lines_ask_for_what_they_say() {
+        command(&Words::default()).debug_assert();
+        for (line, expected) in [
+            ("rasterscope", "Window(None)"),
+            ("rasterscope a.json", "Window(Some(\"a.json\"))"),
+            ("rasterscope ./list", "Window(Some(\"./list\"))"),
+            ("rasterscope list", "List"),
+            ("rasterscope compute a.json", "ComputeFile(\"a.json\")"),
+            ("rasterscope compute --lines", "Compute(true)"),
+            ("rasterscope compute", "Compute(false)"),
+            ("rasterscope tour -o out", "Tour(TourOptions { file: None, output: \"out\" })"),
+        ] {
+            assert_eq!(read(line).as_deref(), Ok(expected), "{line}");
+        }
+        let figure =
+            read("rasterscope figure z-buffer a.json --step 3 --size 640x480 --theme light -o a.svg");
+        let figure = figure.unwrap_or_default();
+        for part in ["z-buffer", "Some(3)", "[640, 480]", "Light", "a.svg"] {
+            assert!(figure.contains(part), "{part} in {figure}");
+        }
+    }
+
+    #[test]
+    fn wrong_use_ends_with_2() {
+        for line in [
+            "rasterscope tour",
+            "rasterscope figure z-buffer a.json --size big -o a.svg",
+            "rasterscope figure z-buffer a.json --theme pink -o a.svg",
+            "rasterscope trace z-buffer",
+            "rasterscope trace z-buffer a.json --format xml",
+            "rasterscope compute a.json --lines",
+            "rasterscope a.json b.json",
+        ] {
+            assert_eq!(read(line), Err(2), "{line}");
+        }
+    }
+}

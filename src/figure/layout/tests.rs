@@ -301,7 +301,7 @@ fn names_of_areas_wear_their_object_and_stand_inside_their_own() {
     let theme = ThemeName::Light.theme();
     let figure = drawn(&[triangle(0.5, 0), triangle(3.5, 1)], &units());
     let placement = Placement::fit(&units(), SIZE, 10.0);
-    for (object, free) in [(0, 0.5..4.0), (1, 7.0..11.0)] {
+    for (object, free) in [(0, 0.5..4.6), (1, 6.4..10.5)] {
         let plate = figure.shapes.iter().find_map(|shape| match shape {
             Shape::Rect { min, max, fill, .. } if *fill == Some(theme.objects[object]) => {
                 Some(placement.to_scene([(min[0] + max[0]) / 2.0, (min[1] + max[1]) / 2.0]))

@@ -78,7 +78,7 @@ fn bare(mut marks: Vec<Mark>) -> Vec<Mark> {
     for mark in &mut marks {
         match mark {
             Mark::Point { label, .. } | Mark::Segment { label, .. } | Mark::Polygon { label, .. } => {
-                *label = None
+                *label = None;
             }
             Mark::Guide { label, note, .. } => (*label, *note) = (None, None),
             _ => {}

@@ -3,6 +3,8 @@
 //! *Source:* Shirley, Marschner, Fundamentals of Computer Graphics, 4th ed. 2015, sections 7.1 to 7.3.
 
 mod explain;
+mod formulas;
+mod picture;
 
 pub use explain::Snapshot;
 

@@ -161,7 +161,7 @@ fn level_name(level: Level) -> &'static str {
 fn table_json(table: &Table) -> serde_json::Value {
     let heading =
         |id: &&'static str| if id.starts_with("column-") { WORDS.word(id) } else { (*id).to_owned() };
-    let row = |row: &Row| json!({"name": row.name, "active": row.active, "cells": row.cells.iter().map(value_json).collect::<Vec<_>>()});
+    let row = |row: &Row| json!({"name": tables::row_name(&row.name, &WORDS), "active": row.active, "cells": row.cells.iter().map(value_json).collect::<Vec<_>>()});
     json!({
         "title": WORDS.word(table.title),
         "columns": table.columns.iter().map(heading).collect::<Vec<_>>(),

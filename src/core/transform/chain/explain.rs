@@ -194,7 +194,7 @@ impl Explain for Snapshot {
         "  w > 0: in front of the eye?",
         "  v″ ← (x / w, y / w, z / w), r ← 1 / w",
         "  v‴ ← D v″",
-        "all vertices are on the screen",
+        "no vertex is left: stop",
     ];
 
     fn line(event: &Event) -> usize {

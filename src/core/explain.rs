@@ -66,6 +66,14 @@ impl Role {
     ];
 }
 
+/// A, B, C, ..., Z; a number from 27 on: the name of object `index` (from 0) if it has no other.
+pub fn letter(index: usize) -> String {
+    match u8::try_from(index) {
+        Ok(index @ 0..26) => char::from(b'A' + index).to_string(),
+        _ => (index + 1).to_string(),
+    }
+}
+
 /// A name with values, shown in one plate: `P1′ (2.375, 2)`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {

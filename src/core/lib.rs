@@ -12,6 +12,7 @@ pub mod labs;
 pub mod memo;
 pub mod message;
 pub mod replay;
+pub mod stage;
 pub mod trace;
 
 pub mod math;

@@ -186,8 +186,8 @@ fn polygon(
             canvas.fill(&points, color);
         }
         Role::Accepted if object.is_none() => canvas.fill(&points, style.color.alpha(style.fill_alpha)),
-        // A window of a lab in the plane: what lies inside is what is kept.
-        Role::Neutral if object.is_none() && view.grid == Grid::Units => {
+        // A window or a visible box: what lies inside is what is kept.
+        Role::Neutral if object.is_none() && view.grid != Grid::Pixels => {
             let color = theme.style(Role::Accepted).color.alpha(0.05);
             canvas.fill(&points, color);
         }

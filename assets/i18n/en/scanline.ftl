@@ -5,7 +5,7 @@ scanline-about = Walk down two edges at once and fill the pixels whose centres l
 scanline-opening = Each row is filled between the two edges that its centre line meets.
 scanline-sorted = Sorted from top to bottom: **{ $top }**, **{ $middle }**, **{ $bottom }**. The walk goes down in this order.
 scanline-zero-area = The vertices lie on one line: **zero area**, so nothing is drawn.
-scanline-slope = Along **{ $edge }**, x changes by **{ $slope }** from one row to the next.
+scanline-slope = Along **{ $edge }**, x changes by **{ $slope }** when y grows by 1.
 scanline-half = { $count ->
     [one] Row { $first } lies
    *[other] Rows { $first } to { $last } lie

@@ -4,16 +4,16 @@ use std::sync::Arc;
 
 use super::{
     Skip, Skips, Stats,
-    stages::{self, Clipped, CullKey, Culled, Fate, Point, model_matrix},
+    stages::{self, Clipped, CullKey, Culled, Fate, Point},
     stats::Reason,
 };
 use crate::{
     clip::polygon::Plane,
     cull::{Facing, frustum::Bounds},
-    labs::Stage,
     memo::{Memo, Rev},
     scene::{Draw, Mesh, Scene, Shade},
-    transform::{Camera, DepthRange, Matrix, Viewport, apply, divide},
+    stage::Stage,
+    transform::{Camera, DepthRange, Matrix, Viewport, apply, chain::model_matrix, divide},
 };
 
 /// A stage's output, kept while its key stays equal; its revision moves only when its value does.

@@ -12,10 +12,10 @@ use crate::{
     blend::BlendState,
     depth::{DepthBuffer, DepthFormat, DepthRow, DepthRows, DepthState},
     interpolate::unorm,
-    labs::Stage,
     math::Tally,
     raster::{Algorithm, FillRule, Settings, Span, YAxis, cover},
     scene::{Clear, Draw, Scene, Texture},
+    stage::Stage,
     stencil::{StencilOutcome, StencilState},
 };
 use std::ops::Range;

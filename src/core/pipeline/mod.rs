@@ -21,10 +21,10 @@ pub use draw::{DrawOutputs, DrawRuns};
 pub use evaluate::{Outputs, Pipeline};
 pub use fragments::ScreenTriangle;
 pub use frame::Frame;
-pub use names::{draw_name, letter, screen_names, triangle_name};
+pub use names::{draw_name, screen_names, triangle_name};
 pub use pixel::{Outcome, PixelEntry, PixelHistory, pixel_history, pixel_history_of};
 pub use skips::{Skip, Skips};
-pub use stages::{Clipped, ClippedPolygon, Culled, Decision, Fate, Piece, Point, model_matrix};
+pub use stages::{Clipped, ClippedPolygon, Culled, Decision, Fate, Piece, Point};
 pub use stats::{Reason, StageCount, Stats, Unit};
 
 use crate::{raster::Algorithm, scene::Scene};

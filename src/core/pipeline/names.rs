@@ -1,15 +1,10 @@
 //! What triangles are called, on the canvas, in the history of a pixel and in a z-buffer run.
 
 use super::ScreenTriangle;
-use crate::scene::{Draw, Scene};
-
-/// A, B, C, ..., Z; a number from 27 on: the name of object `index` (from 0) if it has no other.
-pub fn letter(index: usize) -> String {
-    match u8::try_from(index) {
-        Ok(index @ 0..26) => char::from(b'A' + index).to_string(),
-        _ => (index + 1).to_string(),
-    }
-}
+use crate::{
+    explain::letter,
+    scene::{Draw, Scene},
+};
 
 /// The draw's name, or its letter.
 pub fn draw_name((index, draw): (usize, &Draw)) -> String {

@@ -5,8 +5,8 @@ use crate::{
     clip::polygon::{Plane, PlaneSet, clip_triangle},
     cull::{CullMode, Facing, FrontFace, facing, frustum::triangle_outside},
     math::Tally,
-    scene::{Draw, Mesh, Shade, Transform},
-    transform::{Camera, DepthRange, Matrix, Projection, matrices},
+    scene::{Draw, Mesh, Shade},
+    transform::{Camera, DepthRange, Projection},
 };
 use glam::DVec3;
 
@@ -191,16 +191,6 @@ impl Clipped {
             Piece { corners, triangle, part, carried }
         }));
         true
-    }
-}
-
-/// The matrix that a draw's transform stands for.
-pub fn model_matrix(transform: &Transform) -> Matrix {
-    match *transform {
-        Transform::Parts { translate, rotate_degrees, scale } => {
-            matrices::model(translate, rotate_degrees, scale)
-        }
-        Transform::Matrix(matrix) => matrix,
     }
 }
 

@@ -3,7 +3,7 @@
 use serde::{Serialize, Serializer, ser::SerializeMap};
 
 use super::Skip;
-use crate::{labs::Stage, math::Tally, message::Value};
+use crate::{math::Tally, message::Value, stage::Stage};
 
 /// Why something does not go on to the next stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]

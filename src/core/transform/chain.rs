@@ -3,6 +3,8 @@
 //! *Source:* Shirley, Marschner, Fundamentals of Computer Graphics, 4th ed. 2015, sections 7.1 to 7.3.
 
 mod explain;
+mod formulas;
+mod picture;
 
 pub use explain::Snapshot;
 
@@ -11,9 +13,8 @@ use super::{
     screen::{Viewport, divide},
 };
 use crate::{
-    pipeline::model_matrix,
     replay::{Budget, Player},
-    scene::{Draw, Scene},
+    scene::{Draw, Scene, Transform},
     trace::{NoTrace, Tracer},
 };
 use serde::Serialize;
@@ -52,6 +53,16 @@ pub struct Chain {
     pub projection: Matrix,
     /// NDC to the screen.
     pub viewport: Viewport,
+}
+
+/// The matrix that a draw's transform stands for.
+pub fn model_matrix(transform: &Transform) -> Matrix {
+    match *transform {
+        Transform::Parts { translate, rotate_degrees, scale } => {
+            matrices::model(translate, rotate_degrees, scale)
+        }
+        Transform::Matrix(matrix) => matrix,
+    }
 }
 
 impl Chain {

@@ -5,6 +5,7 @@
 //! on every machine.
 
 pub mod chain;
+pub mod frustum;
 pub mod matrices;
 mod screen;
 

@@ -289,3 +289,61 @@ fn no_label_lacks_a_glyph() {
         }
     }
 }
+
+#[test]
+fn names_of_areas_wear_their_object_and_stand_inside_their_own() {
+    let triangle = |x: f32, object| Mark::Polygon {
+        points: vec![[x, 1.0], [x + 7.0, 1.0], [x + 3.5, 9.0]],
+        role: Role::Neutral,
+        object: None,
+        label: Some(Label::name(["A", "B"][object]).of(object)),
+    };
+    let theme = ThemeName::Light.theme();
+    let figure = drawn(&[triangle(0.5, 0), triangle(3.5, 1)], &units());
+    let placement = Placement::fit(&units(), SIZE, 10.0);
+    for (object, free) in [(0, 0.5..4.6), (1, 6.4..10.5)] {
+        let plate = figure.shapes.iter().find_map(|shape| match shape {
+            Shape::Rect { min, max, fill, .. } if *fill == Some(theme.objects[object]) => {
+                Some(placement.to_scene([(min[0] + max[0]) / 2.0, (min[1] + max[1]) / 2.0]))
+            }
+            _ => None,
+        });
+        let [x, _] = plate.expect("a plate in the object's colour");
+        assert!(free.contains(&x), "object {object} is named at {x}");
+    }
+    assert_readable(&figure);
+}
+
+#[test]
+fn no_lines_run_over_a_picture_whose_pixels_are_small() {
+    let lines = |pictured: bool, size: f32| {
+        let rgba = std::sync::Arc::new(vec![7; 4 * (size * size) as usize]);
+        let picture = Mark::Image { size: [size as usize; 2], rgba };
+        let figure = drawn(if pictured { std::slice::from_ref(&picture) } else { &[] }, &pixels([size; 2]));
+        figure.shapes.iter().filter(|shape| matches!(shape, Shape::Line { .. })).count()
+    };
+    assert_eq!(lines(true, 600.0), 4, "the frame stays");
+    assert!(lines(false, 600.0) > 4 && lines(true, 20.0) > 40);
+}
+
+#[test]
+fn a_text_whose_place_is_taken_stands_below() {
+    let text = |name: &str, big| Mark::Text {
+        at: [0.0, 10.0],
+        label: Label::name(name),
+        role: Role::Candidate,
+        big,
+    };
+    let figure = drawn(&[text("1001", true), text("T B R L", false)], &units());
+    let [code, legend] = boxes(&figure)[..] else { panic!("two texts") };
+    assert!(legend.min[1] >= code.max[1] && (legend.min[0] - code.min[0]).abs() < 1.0);
+}
+
+#[test]
+fn the_note_of_a_line_stands_beside_it() {
+    let note = Some(Message::new("figure-dark"));
+    let line = Mark::Guide { axis: 1, at: 5.0, role: Role::Active, label: Some(Label::new("y", 5.0)), note };
+    let figure = drawn(&[line], &units());
+    assert!(figure.texts().any(|text| text == "Dark"));
+    assert_readable(&figure);
+}

@@ -11,10 +11,10 @@ use egui::Ui;
 use glam::{DMat4, DVec4};
 use rasterscope_core::{
     cull::{CullMode, FrontFace},
-    pipeline::{Skip, model_matrix},
+    pipeline::Skip,
     raster::YAxis,
     scene::{Geometry, Scene},
-    transform::{Viewport, matrices},
+    transform::{Viewport, chain::model_matrix, matrices},
 };
 use std::sync::Arc;
 

@@ -256,7 +256,7 @@ impl Snapshot {
             for x in 0..width {
                 let owned = self.image.owner([x, y]).is_some();
                 if owned || shows_clear {
-                    out.push(self.cell([x, y], if owned { Role::Neutral } else { Role::Candidate }));
+                    out.push(self.cell([x, y], Role::Neutral));
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! What a z-buffer run has done so far.
 
 use super::{Event, Image, Name, Settings, Triangle};
-use crate::{pipeline::letter, replay::State};
+use crate::{explain::letter, replay::State};
 use std::sync::Arc;
 
 /// A fragment on its way through the test.

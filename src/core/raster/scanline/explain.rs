@@ -265,8 +265,11 @@ impl Snapshot {
     /// The pixels that the run has not come to yet.
     fn mark_pending(&self, out: &mut Vec<Mark>) {
         for span in self.outcome.iter() {
-            let drawn = self.rows.iter().find(|row| row.y == span.y).map_or(0, |row| row.drawn);
-            out.extend((span.begin + drawn..span.end).map(|x| pixel(x, span.y, Role::Candidate, None)));
+            let row = self.rows.iter().find(|row| row.y == span.y);
+            let drawn = row.map_or(0, |row| row.drawn);
+            let tie = |x: u32| row.is_some_and(|row| row.ties.iter().flatten().any(|(tie, _)| *tie == x));
+            let pending = (span.begin + drawn..span.end).filter(|&x| !tie(x));
+            out.extend(pending.map(|x| pixel(x, span.y, Role::Candidate, None)));
         }
     }
 

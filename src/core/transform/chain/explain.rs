@@ -1,45 +1,44 @@
 //! What the lab shows of the transform chain.
 
-use super::{Chain, Event, Path, Space, run};
+use super::{
+    Chain, Event, Path, Space,
+    formulas::{divide_formula, product_formula, text},
+    picture::{self, Frame},
+    run,
+};
 use crate::{
-    explain::{Explain, Formula, Grid, Label, Level, Mark, Marker, Piece, Role, Row, Table, View},
+    explain::{Explain, Formula, Level, Mark, Marker, Piece, Role, Row, Table, View},
     message::{Message, Value},
     raster::YAxis,
     replay::State,
     transform::{DepthRange, matrices::row},
 };
 
+/// The vertex in each space, as the listing and the lectures write it.
+pub(super) const NAMES: [&str; 6] = ["v", "W v", "C⁻¹ W v", "v′", "v″", "v‴"];
+
 /// What the user sees between two events: the fold of the events so far.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
-    chain: Chain,
-    vertices: Vec<[f32; 3]>,
+    pub(super) chain: Chain,
+    pub(super) vertices: Vec<[f32; 3]>,
     /// Components known so far, for each vertex in each space.
     known: Vec<[[Option<f32>; 4]; 6]>,
     /// The vertex the step is about.
-    vertex: usize,
+    pub(super) vertex: usize,
     /// The space that is being computed.
-    to: Space,
+    pub(super) to: Space,
     /// The row that was computed last.
     row: Option<usize>,
-    /// For each space, how much of it its picture shows: half of its width.
-    extent: [f32; 6],
+    /// What the pictures show of each space: from the front and from the side.
+    pub(super) frames: [[Frame; 2]; 6],
 }
 
 impl Snapshot {
     /// Before the first event.
     pub fn new(vertices: &[[f32; 3]], chain: Chain) -> Self {
         let paths = run(vertices, &chain);
-        let [half_width, half_height] = half_size(&chain);
-        let extent = Space::ALL.map(|space| {
-            let reach = |path: &Path| match (space, path[space as usize]) {
-                (Space::Clip, [x, y, _, w]) => x.abs().max(y.abs()).max(w),
-                (Space::Screen, [x, y, ..]) => (x - half_width).abs().max((y - half_height).abs()),
-                (_, [x, y, ..]) => x.abs().max(y.abs()),
-            };
-            let least = if space == Space::Screen { half_width.max(half_height) } else { 1.0 };
-            1.1 * paths.iter().map(reach).fold(least, f32::max)
-        });
+        let frames = Frame::all(&chain, &paths);
         Self {
             chain,
             vertices: vertices.to_vec(),
@@ -47,7 +46,7 @@ impl Snapshot {
             vertex: 0,
             to: Space::Object,
             row: None,
-            extent,
+            frames,
         }
     }
 
@@ -59,85 +58,89 @@ impl Snapshot {
     }
 
     /// The current vertex in `space`, as far as it is known.
-    fn at(&self, space: Space) -> [Option<f32>; 4] {
+    pub(super) fn at(&self, space: Space) -> [Option<f32>; 4] {
         self.known.get(self.vertex).map_or([None; 4], |path| path[space as usize])
     }
+}
 
-    /// Where a point of a space lies in the picture of that space.
-    fn place(&self, space: Space, [x, y]: [f32; 2]) -> [f32; 2] {
-        let [left, top] = middle(space);
-        let scale = 1.0 / self.extent[space as usize];
-        if space != Space::Screen {
-            return [left + x * scale, top + y * scale];
-        }
-        let [half_width, half_height] = half_size(&self.chain);
-        let up = if self.chain.viewport.y_axis == YAxis::Down { -scale } else { scale };
-        [left + (x - half_width) * scale, top + (y - half_height) * up]
+impl Snapshot {
+    /// w of the current vertex in clip space.
+    pub(super) fn w(&self) -> f32 {
+        self.at(Space::Clip)[3].unwrap_or(1.0)
     }
 
-    /// Half the size of what is visible of a space, if that is a box there.
-    fn visible(&self, space: Space) -> Option<[f32; 2]> {
-        match space {
-            Space::Clip => self.at(space)[3].filter(|w| *w > 0.0).map(|w| [w; 2]),
-            Space::Ndc => Some([1.0; 2]),
-            Space::Screen => Some(half_size(&self.chain)),
-            Space::Object | Space::World | Space::View => None,
-        }
+    /// Whether the current vertex is known to lie in the visible box.
+    pub(super) fn is_visible(&self) -> bool {
+        let [x, y, z, w] = self.at(Space::Clip).map(|c| c.unwrap_or(f32::NAN));
+        let low = if self.chain.viewport.depth_range == DepthRange::ZeroToOne { 0.0 } else { -w };
+        w > 0.0 && x.abs() <= w && y.abs() <= w && low <= z && z <= w
     }
 
-    /// The picture of one space: its frame, what is visible, the vertices that have come there.
-    fn panel(&self, space: Space, out: &mut Vec<Mark>) {
-        let [cx, cy] = middle(space);
-        let rectangle = |[width, height]: [f32; 2], role| Mark::Polygon {
-            points: vec![
-                [cx - width, cy - height],
-                [cx + width, cy - height],
-                [cx + width, cy + height],
-                [cx - width, cy + height],
-            ],
-            role,
-            object: None,
-            label: None,
-        };
-        out.push(rectangle([1.0; 2], Role::Candidate));
-        if let Some(half) = self.visible(space) {
-            out.push(rectangle(half.map(|n| n / self.extent[space as usize]), Role::Neutral));
-        }
-        let role = if space == self.to { Role::Active } else { Role::Neutral };
-        let label = Label::new("", word(space));
-        out.push(Mark::Text { at: [cx - 1.0, cy + 1.25], label, role, big: false });
-        let points: Vec<(usize, [f32; 2])> = (self.known.iter().enumerate())
-            .filter_map(|(index, path)| match path[space as usize] {
-                [Some(x), Some(y), Some(_), Some(_)] => Some((index, [x, y])),
-                _ => None,
-            })
-            .collect();
-        if points.len() == 3 && self.vertices.len() == 3 {
-            let corners = points.iter().map(|&(_, at)| self.place(space, at)).collect();
-            out.push(Mark::Polygon { points: corners, role: Role::Neutral, object: Some(0), label: None });
-        }
-        for (index, at) in points {
-            let active = space == self.to && index == self.vertex;
-            let role = if active { Role::Active } else { Role::Accepted };
-            let label = active.then(|| Label::new(format!("P{}", index + 1), at));
-            out.push(Mark::Point { at: self.place(space, at), role, label });
-        }
-    }
-
-    /// The viewport's formula for component `i`, without its result.
-    fn viewport_formula(&self, [x, y, z, r]: [Value; 4], i: usize) -> (&'static str, Vec<Piece>) {
-        let viewport = &self.chain.viewport;
-        let [width, height] = viewport.size.map(Value::from);
-        match i {
-            0 => ("x‴ = W / 2 · (x″ + 1)", vec![number(width), text(" / 2 · ("), number(x), text(" + 1)")]),
-            1 if viewport.y_axis == YAxis::Down => {
-                ("y‴ = H / 2 · (1 − y″)", vec![number(height), text(" / 2 · (1 − "), number(y), text(")")])
+    fn say_component(&self, to: Space, row: usize, value: f32) -> Message {
+        let [width, height] = self.chain.viewport.size;
+        let message = match (to, row) {
+            (Space::Ndc, _) if self.w() == 0.0 => Message::new("transform-divide-zero"),
+            (Space::Ndc, 3) => Message::new("transform-reciprocal"),
+            (Space::Ndc, _) if self.w() < 0.0 => Message::new("transform-divide-behind"),
+            (Space::Ndc, 2) => Message::new("transform-divide-depth"),
+            (Space::Ndc, _) => Message::new("transform-divide"),
+            (Space::Screen, 0) => Message::new("transform-viewport-x").with("size", width),
+            (Space::Screen, 1) => match self.chain.viewport.y_axis {
+                YAxis::Down => Message::new("transform-viewport-down"),
+                YAxis::Up => Message::new("transform-viewport-up"),
             }
-            1 => ("y‴ = H / 2 · (y″ + 1)", vec![number(height), text(" / 2 · ("), number(y), text(" + 1)")]),
-            2 if viewport.depth_range == DepthRange::ZeroToOne => ("z‴ = z″", vec![number(z)]),
-            2 => ("z‴ = (z″ + 1) / 2", vec![text("("), number(z), text(" + 1) / 2")]),
-            _ => ("r‴ = r", vec![number(r)]),
-        }
+            .with("size", height),
+            (Space::Screen, 2) => match self.chain.viewport.depth_range {
+                DepthRange::ZeroToOne => Message::new("transform-viewport-depth"),
+                DepthRange::MinusOneToOne => Message::new("transform-viewport-depth-stretched"),
+            },
+            (Space::Screen, _) => Message::new("transform-reciprocal-stays"),
+            _ => {
+                let matrix = ["", "W", "C⁻¹", "P"][to as usize % 4];
+                Message::new("transform-component").with("matrix", Value::text(matrix))
+            }
+        };
+        message.with("axis", Value::text(["x", "y", "z", "w"][row])).with("value", value)
+    }
+
+    /// What the step computes with: matrix, vector and product; or the divide; or the viewport.
+    fn step_table(&self) -> Option<Table> {
+        let from = *Space::ALL.get((self.to as usize).checked_sub(1)?)?;
+        let [before, after] = [from, self.to].map(|space| self.at(space).map(Value::from));
+        let [name_before, name_after] = [from, self.to].map(|space| NAMES[space as usize]);
+        let rows = |names: [&str; 4], cells: &dyn Fn(usize) -> Vec<Value>| {
+            let row = |i: usize| Row::new(names[i], cells(i)).active(self.row == Some(i));
+            [0, 1, 2, 3].map(row).to_vec()
+        };
+        let [last_before, last_after] = [before.clone(), after.clone()];
+        Some(match (self.chain.matrix(self.to), self.to) {
+            (Some(matrix), to) => Table {
+                title: match to {
+                    Space::World => "transform-table-world",
+                    Space::View => "transform-table-view",
+                    _ => "transform-table-clip",
+                },
+                columns: vec!["x", "y", "z", "w", name_before, name_after],
+                rows: rows(["x′", "y′", "z′", "w′"], &|i| {
+                    let mut cells = row(matrix, i).map(Value::from).to_vec();
+                    cells.extend([before[i].clone(), after[i].clone()]);
+                    cells
+                }),
+            },
+            (None, Space::Ndc) => Table {
+                title: "transform-table-divide",
+                columns: vec![name_before, "w", name_after],
+                rows: rows(["x″", "y″", "z″", "r"], &|i| {
+                    let above = if i < 3 { last_before[i].clone() } else { Value::Int(1) };
+                    vec![above, last_before[3].clone(), last_after[i].clone()]
+                }),
+            },
+            _ => Table {
+                title: "transform-table-viewport",
+                columns: vec![name_before, name_after],
+                rows: rows(["x‴", "y‴", "z‴", "r"], &|i| vec![before[i].clone(), after[i].clone()]),
+            },
+        })
     }
 }
 
@@ -168,19 +171,8 @@ impl State for Snapshot {
     }
 }
 
-/// Half the width and height of the image, in pixels.
-fn half_size(chain: &Chain) -> [f32; 2] {
-    chain.viewport.size.map(|n| n as f32 / 2.0)
-}
-
-/// The middle of the picture of a space: three pictures in a row, each 2 units wide.
-fn middle(space: Space) -> [f32; 2] {
-    let index = space as usize;
-    [3.0 * (index % 3) as f32, -3.0 * (index / 3) as f32]
-}
-
 /// The name of a space.
-fn word(space: Space) -> Value {
+pub(super) fn word(space: Space) -> Value {
     Value::Word(match space {
         Space::Object => "transform-space-object",
         Space::World => "transform-space-world",
@@ -189,43 +181,6 @@ fn word(space: Space) -> Value {
         Space::Ndc => "transform-space-ndc",
         Space::Screen => "transform-space-screen",
     })
-}
-
-fn text(text: &'static str) -> Piece {
-    Piece::Text(text)
-}
-
-fn number(value: Value) -> Piece {
-    Piece::Number(value)
-}
-
-/// A row's formula, without its result.
-fn product_formula(row: [f32; 4], v: [Value; 4], i: usize) -> (&'static str, Vec<Piece>) {
-    let mut numbers = Vec::new();
-    for (factor, component) in row.into_iter().zip(v) {
-        if !numbers.is_empty() {
-            numbers.push(text(" + "));
-        }
-        numbers.extend([number(factor.into()), text(" · "), number(component)]);
-    }
-    let general = [
-        "x′ = m11 · x + m12 · y + m13 · z + m14 · w",
-        "y′ = m21 · x + m22 · y + m23 · z + m24 · w",
-        "z′ = m31 · x + m32 · y + m33 · z + m34 · w",
-        "w′ = m41 · x + m42 · y + m43 · z + m44 · w",
-    ];
-    (general[i], numbers)
-}
-
-/// The divide's formula for component `i`, without its result.
-fn divide_formula([x, y, z, w]: [Value; 4], i: usize) -> (&'static str, Vec<Piece>) {
-    let (general, above) = match i {
-        0 => ("x″ = x′ / w", x),
-        1 => ("y″ = y′ / w", y),
-        2 => ("z″ = z′ / w", z),
-        _ => ("r = 1 / w", Value::Int(1)),
-    };
-    (general, vec![number(above), text(" / "), number(w)])
 }
 
 impl Explain for Snapshot {
@@ -283,21 +238,24 @@ impl Explain for Snapshot {
             Event::Matrix { to: Space::World, .. } => Message::new("transform-matrix-world"),
             Event::Matrix { to: Space::View, .. } => Message::new("transform-matrix-view"),
             Event::Matrix { .. } => Message::new("transform-matrix-clip"),
-            Event::Component { to, row, value, .. } => {
-                let id = match (to, row) {
-                    (Space::Ndc, 3) => "transform-reciprocal",
-                    (Space::Ndc, _) => "transform-divide",
-                    (Space::Screen, 3) => "transform-reciprocal-stays",
-                    (Space::Screen, _) => "transform-viewport",
-                    _ => "transform-component",
-                };
-                let axis = Value::text(["x", "y", "z", "w"][usize::from(row)]);
-                Message::new(id).with("axis", axis).with("value", value)
+            Event::Component { to, row, value, .. } => self.say_component(to, usize::from(row), value),
+            Event::Reached { space: Space::Screen, .. } => {
+                let [x, y, z, _] = self.at(Space::Screen).map(Option::unwrap_or_default);
+                Message::new(match (self.w() > 0.0, self.is_visible()) {
+                    (true, true) => "transform-on-screen",
+                    (true, false) => "transform-off-screen",
+                    (false, _) => "transform-no-screen",
+                })
+                .with("at", [x, y])
+                .with("depth", z)
             }
             Event::Reached { space, .. } => {
                 let shown = if space < Space::Ndc { 4 } else { 3 };
                 let at = self.at(space).into_iter().flatten().take(shown).collect();
                 Message::new("transform-reached").with("at", Value::Vector(at)).with("space", word(space))
+            }
+            Event::Sight { w, .. } if row(&self.chain.projection, 3) == [0.0, 0.0, 0.0, 1.0] => {
+                Message::new("transform-parallel").with("w", w)
             }
             Event::Sight { w, .. } if w > 0.0 => Message::new("transform-in-front").with("w", w),
             Event::Sight { w, .. } if w < 0.0 => Message::new("transform-behind").with("w", w),
@@ -317,7 +275,12 @@ impl Explain for Snapshot {
             None if to == Space::Ndc => divide_formula(before, i),
             None => self.viewport_formula(before, i),
         };
-        numbers.extend([text(" = "), Piece::Result(value.into())]);
+        if numbers.len() > 2 {
+            numbers.push(text(" = "));
+        } else {
+            numbers.truncate(1); // what stays is not written twice
+        }
+        numbers.push(Piece::Result(value.into()));
         out.push(Formula { general, numbers });
     }
 
@@ -325,31 +288,18 @@ impl Explain for Snapshot {
         let rows = Space::ALL.map(|space| {
             let mut cells = vec![word(space)];
             cells.extend(self.at(space).map(Value::from));
-            let name = ["v", "W v", "C⁻¹ W v", "v′", "v″", "v‴"][space as usize];
-            Row::new(name, cells).active(space == self.to)
+            Row::new(NAMES[space as usize], cells).active(space == self.to)
         });
         let columns = vec!["column-space", "x", "y", "z", "column-w-or-r"];
         out.push(Table { title: "transform-spaces", columns, rows: rows.to_vec() });
-        let Some(matrix) = self.chain.matrix(self.to) else { return };
-        let rows = [0, 1, 2, 3].map(|i| {
-            let name = ["x′", "y′", "z′", "w′"][i];
-            Row::new(name, row(matrix, i).map(Value::from).to_vec()).active(self.row == Some(i))
-        });
-        let title = match self.to {
-            Space::World => "transform-table-world",
-            Space::View => "transform-table-view",
-            _ => "transform-table-clip",
-        };
-        out.push(Table { title, columns: vec!["x", "y", "z", "w"], rows: rows.to_vec() });
+        out.extend(self.step_table());
     }
 
     fn marks(&self, _event: Option<&Event>, out: &mut Vec<Mark>) {
-        for space in Space::ALL {
-            self.panel(space, out);
-        }
+        self.picture(out);
     }
 
     fn view(&self) -> View {
-        View { min: [-1.2, -4.2], max: [7.2, 1.4], y_up: true, grid: Grid::None }
+        picture::VIEW
     }
 }

@@ -78,11 +78,18 @@ fn page_of(scene: &Scene, title: String, mut progress: Option<&mut dyn Write>) -
     let subject = Subject { scene, outputs, theme: ThemeName::Light.theme() };
     let mut body = header(&subject, &title);
     body += &ribbon(&subject);
+    // Where nothing is drawn, the run of the lab is what the scene is about.
+    let steps = steps::section(&subject);
+    if scene.draws.is_empty() {
+        body += &steps;
+    }
     for (number, stage) in (1..).zip(Stage::ALL) {
         say_progress(&mut progress, stage, number);
         body += &stages::section(&subject, stage, number);
     }
-    body += &steps::section(&subject);
+    if !scene.draws.is_empty() {
+        body += &steps;
+    }
     body += &format!("<footer><p>{}</p></footer>\n", escape(&WORDS.word("tour-footer")));
     if let Some(terminal) = progress {
         // The terminal is only told what goes on; if it cannot be, the page is made all the same.

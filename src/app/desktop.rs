@@ -1,7 +1,7 @@
 //! The window's [`Platform`] on the desktop: real files, and the system's file dialog.
 
 use eframe::egui::Context;
-use rasterscope_ui::Platform;
+use rasterscope_ui::{Platform, Purpose};
 use std::{
     ffi::OsString,
     fs, io,
@@ -10,19 +10,24 @@ use std::{
     thread,
 };
 
+/// The name of the program's own folder.
+pub(crate) const APP_ID: &str = "rasterscope";
+
 /// Files and dialogs of the desktop.
 pub(crate) struct Desktop {
     /// To wake the window when a file was chosen.
     ctx: Context,
-    send: Sender<String>,
-    chosen: Receiver<String>,
+    send: Sender<(Purpose, String)>,
+    chosen: Receiver<(Purpose, String)>,
+    /// The program's own folder, if there is a place for one.
+    folder: Option<PathBuf>,
 }
 
 impl Desktop {
     /// The platform of the window that `ctx` paints.
     pub(crate) fn new(ctx: Context) -> Self {
         let (send, chosen) = mpsc::channel();
-        Self { ctx, send, chosen }
+        Self { ctx, send, chosen, folder: eframe::storage_dir(APP_ID) }
     }
 }
 
@@ -35,22 +40,41 @@ impl Platform for Desktop {
         write_whole(Path::new(path), bytes)
     }
 
-    fn choose_file(&mut self) -> bool {
+    fn choose_file(&mut self, purpose: Purpose) -> bool {
         let (send, ctx) = (self.send.clone(), self.ctx.clone());
         // The dialog blocks until it is answered: a thread of its own keeps the window alive.
         let started = thread::Builder::new().spawn(move || {
-            let dialog = rfd::FileDialog::new().add_filter("Rasterscope, OBJ", &["json", "obj"]);
-            if let Some(path) = dialog.pick_file() {
+            let dialog = rfd::FileDialog::new();
+            let path = match purpose {
+                Purpose::Open => dialog.add_filter("Rasterscope, OBJ", &["json", "obj"]).pick_file(),
+                Purpose::Save => {
+                    dialog.add_filter("Rasterscope", &["json"]).set_file_name("scene.json").save_file()
+                }
+                Purpose::Picture => {
+                    dialog.add_filter("SVG, PNG", &["svg", "png"]).set_file_name("picture.svg").save_file()
+                }
+            };
+            if let Some(path) = path {
                 // Fails only if the window is gone.
-                let _ = send.send(path.to_string_lossy().into_owned());
+                let _ = send.send((purpose, path.to_string_lossy().into_owned()));
                 ctx.request_repaint();
             }
         });
         started.is_ok()
     }
 
-    fn chosen(&mut self) -> Option<String> {
+    fn chosen(&mut self) -> Option<(Purpose, String)> {
         self.chosen.try_recv().ok()
+    }
+
+    fn kept(&mut self, name: &str) -> Option<Vec<u8>> {
+        fs::read(self.folder.as_ref()?.join(name)).ok()
+    }
+
+    fn keep(&mut self, name: &str, bytes: &[u8]) -> io::Result<()> {
+        let folder = self.folder.as_ref().ok_or(io::ErrorKind::NotFound)?;
+        fs::create_dir_all(folder)?;
+        write_whole(&folder.join(name), bytes)
     }
 }
 

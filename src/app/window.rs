@@ -1,9 +1,9 @@
 //! The window, and why it cannot be opened.
 
-use crate::desktop::Desktop;
+use crate::desktop::{APP_ID, Desktop};
 use eframe::{
-    CreationContext, NativeOptions, Renderer, Storage,
-    egui::{Ui, ViewportBuilder},
+    CreationContext, NativeOptions, Renderer,
+    egui::{Context, Ui, ViewportBuilder},
 };
 use rasterscope_core::message::{Message, Value};
 use rasterscope_ui::App;
@@ -17,11 +17,11 @@ use std::{
 };
 
 const TITLE: &str = "Rasterscope";
-const SETTINGS: &str = "settings";
 
 struct Window {
     app: App,
     desktop: Desktop,
+    ctx: Context,
 }
 
 impl eframe::App for Window {
@@ -29,8 +29,8 @@ impl eframe::App for Window {
         self.app.ui(ui, &mut self.desktop);
     }
 
-    fn save(&mut self, storage: &mut dyn Storage) {
-        storage.set_string(SETTINGS, self.app.settings());
+    fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
+        self.app.keep(&self.ctx, &mut self.desktop);
     }
 
     fn persist_egui_memory(&self) -> bool {
@@ -46,7 +46,7 @@ pub(crate) fn open(file: Option<PathBuf>) -> Result<(), Message> {
     let options = NativeOptions {
         viewport: ViewportBuilder::default()
             .with_title(TITLE)
-            .with_app_id("rasterscope")
+            .with_app_id(APP_ID)
             .with_inner_size([1280.0, 720.0])
             .with_min_inner_size([1024.0, 600.0])
             .with_drag_and_drop(true),
@@ -57,14 +57,10 @@ pub(crate) fn open(file: Option<PathBuf>) -> Result<(), Message> {
     let flag = Arc::clone(&started);
     let create = move |creation: &CreationContext<'_>| {
         flag.store(true, Ordering::Relaxed);
-        let mut window =
-            Window { app: App::new(&creation.egui_ctx), desktop: Desktop::new(creation.egui_ctx.clone()) };
-        if let Some(settings) = creation.storage.and_then(|storage| storage.get_string(SETTINGS)) {
-            window.app.restore(&creation.egui_ctx, &settings);
-        }
-        if let Some(file) = file {
-            window.app.start_with(&file.to_string_lossy(), &mut window.desktop);
-        }
+        let ctx = creation.egui_ctx.clone();
+        let mut window = Window { app: App::new(&ctx), desktop: Desktop::new(ctx.clone()), ctx: ctx.clone() };
+        let file = file.as_ref().map(|file| file.to_string_lossy());
+        window.app.start(&ctx, file.as_deref(), &mut window.desktop);
         Ok(Box::new(window) as Box<dyn eframe::App>)
     };
     // The libraries below panic when a system library is missing; before the window exists that

@@ -3,10 +3,11 @@
 use crate::{
     document::{Document, ViewState},
     face::Command,
+    keeping::Kept,
     labs::{self, Lab},
     overview::Overview,
     paint::Textures,
-    platform::Platform,
+    platform::{Platform, Purpose},
     presets::{self, Names, PresetInfo},
     run::Run,
     shell::{canvas::Canvas, inspector::Digest, notice::Notice},
@@ -20,7 +21,7 @@ use rasterscope_core::{
     replay::Budget,
     scene::{LabInput, Scene},
 };
-use rasterscope_figure::{theme::ThemeName, words::Words};
+use rasterscope_figure::words::Words;
 use std::{cell::RefCell, rc::Rc};
 
 /// The window's contents.
@@ -44,6 +45,14 @@ pub struct App {
     pub(crate) notice: Option<Notice>,
     /// Where the document came from, and what was last written there.
     pub(crate) path: Option<String>,
+    /// The document as it was opened or saved; `None`: its edits are in no file.
+    pub(crate) clean: Option<Document>,
+    /// What was kept for the next start.
+    pub(crate) kept: Kept,
+    /// What to do once the document is saved.
+    pub(crate) then: Option<Box<Command>>,
+    /// Whether the window may close without asking.
+    pub(crate) quitting: bool,
     pub(crate) words: Rc<Words>,
     pub(crate) look: Rc<Look>,
 }
@@ -52,6 +61,8 @@ impl App {
     /// The window with the default scene.
     pub fn new(ctx: &Context) -> Self {
         ctx.set_fonts(theme::fonts());
+        // The text size has keys of its own, which say so in the palette.
+        ctx.options_mut(|options| options.zoom_with_keyboard = false);
         let words = Rc::new(Words::default());
         let names = Names::new(&words);
         let view = ViewState::default();
@@ -73,6 +84,10 @@ impl App {
             preset: None,
             notice: None,
             path: None,
+            clean: None,
+            kept: Kept::default(),
+            then: None,
+            quitting: false,
             words,
             look,
         };
@@ -92,7 +107,11 @@ impl App {
             .into_iter()
             .map(|file| Command::Open(file.path().to_string_lossy().into_owned()))
             .collect();
-        commands.extend(platform.chosen().map(Command::Open));
+        commands.extend(platform.chosen().map(|(purpose, path)| match purpose {
+            Purpose::Open => Command::Open(path),
+            Purpose::Save => Command::SaveAs(path),
+            Purpose::Picture => Command::Picture(path),
+        }));
         commands.extend(crate::shell::keys::pressed(&ctx, self.canvas.handles()));
         self.execute(&ctx, commands, platform);
         self.play(&ctx);
@@ -112,6 +131,8 @@ impl App {
         }
         self.execute(&ctx, commands, platform);
         self.textures.end_frame();
+        self.closing(&ctx);
+        self.autosave(&ctx, platform);
     }
 
     /// Starts the run anew if what it depends on has changed.
@@ -173,8 +194,14 @@ impl App {
     /// Replaces the document; can be undone.
     pub(crate) fn replace(&mut self, scene: Scene) {
         let step = scene.lab.as_ref().and_then(|lab| lab.step);
+        self.take(Document::new(scene), step);
+        self.clean = Some(self.document.clone());
+    }
+
+    /// Takes another document, at a step.
+    pub(crate) fn take(&mut self, document: Document, step: Option<usize>) {
         self.history.begin(&self.document);
-        self.document = Document::new(scene);
+        self.document = document;
         self.history.end(&self.document, false);
         self.view.due = None;
         self.view.pixel = None;
@@ -186,23 +213,5 @@ impl App {
             self.run.seek(step);
         }
         self.canvas.fit();
-    }
-
-    /// Opens what the program was started with, which is no edit.
-    pub fn start_with(&mut self, path: &str, platform: &mut dyn Platform) {
-        self.open(path, platform);
-        self.history = History::default();
-    }
-
-    /// What is kept from one start to the next, as text.
-    pub fn settings(&self) -> String {
-        self.view.theme.name().to_owned()
-    }
-
-    /// Takes what was kept; what is unknown leaves the default.
-    pub fn restore(&mut self, ctx: &Context, settings: &str) {
-        if let Some(theme) = ThemeName::from_name(settings.trim()) {
-            self.wear(ctx, theme);
-        }
     }
 }

@@ -1,6 +1,14 @@
 //! What happens when a panel or a key asks for something.
 
-use crate::{app::App, face::Command, files, platform::Platform, shell::notice::Notice, theme::Look};
+use crate::{
+    app::App,
+    document::Palette,
+    face::Command,
+    files,
+    platform::{Platform, Purpose},
+    shell::notice::Notice,
+    theme::Look,
+};
 use egui::Context;
 use rasterscope_core::{
     labs as core_labs,
@@ -14,10 +22,16 @@ impl App {
     /// Does what was asked for, in order.
     pub(crate) fn execute(&mut self, ctx: &Context, commands: Vec<Command>, platform: &mut dyn Platform) {
         for command in commands {
-            self.one(ctx, command, platform);
+            if command.replaces() && self.modified() {
+                self.then = None;
+                self.notice = Some(Notice::Unsaved(Box::new(command)));
+            } else {
+                self.one(ctx, command, platform);
+            }
         }
     }
 
+    /// Does one thing, without asking for unsaved edits.
     fn one(&mut self, ctx: &Context, command: Command, platform: &mut dyn Platform) {
         match command {
             Command::Seek(step) => self.seek(|app| app.run.seek(step)),
@@ -37,6 +51,9 @@ impl App {
             }
             Command::Theme(theme) => self.wear(ctx, theme),
             Command::TextSize(size) => ctx.set_zoom_factor(size),
+            Command::Bigger => resize(ctx, 1),
+            Command::Smaller => resize(ctx, -1),
+            Command::Palette => self.view.palette = self.view.palette.is_none().then(Palette::default),
             Command::Keys => self.view.keys = !self.view.keys,
             Command::Choices => self.view.choices = !self.view.choices,
             Command::Fit => {
@@ -50,19 +67,47 @@ impl App {
             }
             Command::Preset(name) => self.open_preset(name),
             Command::Open(path) => self.open(&path, platform),
-            Command::Choose => {
-                if !platform.choose_file() {
+            Command::Choose(purpose) => {
+                if !platform.choose_file(purpose) {
                     self.notice = Some(Notice::Failed(self.words.word("ui-no-dialog")));
                 }
             }
-            Command::AskOpen => self.ask_path(false),
-            Command::AskSave => self.ask_path(true),
-            Command::SaveAs(path) => self.save(&path, platform),
+            Command::AskOpen => self.ask_path(Purpose::Open),
+            Command::AskSave => self.ask_path(Purpose::Save),
+            Command::AskPicture => self.ask_path(Purpose::Picture),
+            Command::SaveAs(path) => self.save(ctx, &path, platform),
             Command::Save => match self.path.clone().filter(|path| path.ends_with(".json")) {
-                Some(path) => self.save(&path, platform),
-                None => self.ask_path(true),
+                Some(path) => self.save(ctx, &path, platform),
+                None => self.ask_path(Purpose::Save),
             },
-            Command::Dismiss => self.notice = None,
+            Command::Picture(path) => self.write_picture(&path, platform),
+            Command::CopyPicture => self.copy_picture(ctx),
+            Command::CopyValues => self.copy_values(ctx),
+            Command::Dismiss => {
+                self.notice = None;
+                self.then = None;
+            }
+            Command::Reset => {
+                self.reset(platform);
+                self.notice = None;
+            }
+            Command::SaveFirst => {
+                if let Some(Notice::Unsaved(then)) = self.notice.take() {
+                    self.then = Some(then);
+                    self.one(ctx, Command::Save, platform);
+                }
+            }
+            Command::Discard => {
+                if let Some(Notice::Unsaved(then)) = self.notice.take() {
+                    self.one(ctx, *then, platform);
+                }
+            }
+            Command::BringBack => self.bring_back(platform),
+            Command::Forget => {
+                self.forget(platform);
+                self.notice = None;
+            }
+            Command::Quit => self.quit(ctx, platform),
         }
     }
 
@@ -98,10 +143,13 @@ impl App {
                 self.document = before.clone();
             }
             ctx.stop_dragging();
+        } else if self.view.palette.is_some() {
+            self.view.palette = None;
         } else if self.view.keys {
             self.view.keys = false;
         } else if self.notice.is_some() {
             self.notice = None;
+            self.then = None;
         } else if self.view.choices {
             self.view.choices = false;
         } else {
@@ -109,10 +157,14 @@ impl App {
         }
     }
 
-    fn ask_path(&mut self, save: bool) {
-        let path =
-            self.path.clone().unwrap_or_else(|| if save { "scene.json".to_owned() } else { String::new() });
-        self.notice = Some(Notice::Path { save, path, fresh: true });
+    fn ask_path(&mut self, purpose: Purpose) {
+        let path = match (purpose, &self.path) {
+            (Purpose::Picture, _) => "picture.svg".to_owned(),
+            (_, Some(path)) if purpose == Purpose::Open || path.ends_with(".json") => path.clone(),
+            (Purpose::Open, _) => String::new(),
+            (Purpose::Save, _) => "scene.json".to_owned(),
+        };
+        self.notice = Some(Notice::Path { purpose, path, fresh: true });
     }
 
     /// Opens a preset of the program.
@@ -148,21 +200,37 @@ impl App {
         }
     }
 
-    fn save(&mut self, path: &str, platform: &mut dyn Platform) {
+    fn save(&mut self, ctx: &Context, path: &str, platform: &mut dyn Platform) {
         let mut scene = self.document.scene.clone();
         if let (Some(lab), Some(shown)) = (&mut scene.lab, self.run.shown()) {
             lab.step = (shown.cursor < shown.len).then_some(shown.cursor);
         }
-        self.notice = Some(match platform.write(path, scene.to_json().as_bytes()) {
-            Ok(()) => {
-                self.path = Some(path.to_owned());
-                Notice::Done(self.words.message(&Message::new("ui-saved").with("path", Value::text(path))))
-            }
-            Err(error) => Notice::Failed(self.words.message(&unreadable("ui-error-write", path, &error))),
-        });
+        let done = platform.write(path, scene.to_json().as_bytes());
+        let then = self.then.take().filter(|_| done.is_ok());
+        if done.is_ok() {
+            self.path = Some(path.to_owned());
+            self.clean = Some(self.document.clone());
+        }
+        self.written(path, done);
+        if let Some(then) = then {
+            self.one(ctx, *then, platform);
+        }
     }
 }
 
-fn unreadable(id: &'static str, path: &str, error: &std::io::Error) -> Message {
+/// Factors of the text size.
+pub(crate) const TEXT_SIZES: [f32; 6] = [0.75, 1.0, 1.25, 1.5, 1.75, 2.0];
+
+/// The next text size, bigger or smaller.
+fn resize(ctx: &Context, by: isize) {
+    let now = ctx.zoom_factor();
+    let near = |size: f32| (size - now).abs();
+    let at = (0..TEXT_SIZES.len()).min_by(|a, b| near(TEXT_SIZES[*a]).total_cmp(&near(TEXT_SIZES[*b])));
+    let next = at.unwrap_or(1).saturating_add_signed(by).min(TEXT_SIZES.len() - 1);
+    ctx.set_zoom_factor(TEXT_SIZES[next]);
+}
+
+/// What went wrong with a file.
+pub(crate) fn unreadable(id: &'static str, path: &str, error: &std::io::Error) -> Message {
     Message::new(id).with("path", Value::text(path)).with("reason", Value::text(error))
 }

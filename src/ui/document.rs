@@ -2,6 +2,7 @@
 
 use rasterscope_core::{
     explain::Level,
+    labs,
     pipeline::Skips,
     scene::{Lab, LabInput, Scene},
 };
@@ -22,6 +23,34 @@ impl Document {
         // The step belongs to the view.
         scene.lab.get_or_insert(Lab { step: None, input: LabInput::Pipeline }).step = None;
         Self { scene, others: Vec::new() }
+    }
+
+    /// A document that knows the inputs of labs that are not open.
+    pub(crate) fn with_others(scene: Scene, others: Vec<LabInput>) -> Self {
+        Self { others, ..Self::new(scene) }
+    }
+
+    /// The inputs of the labs that were open before.
+    pub(crate) fn others(&self) -> &[LabInput] {
+        &self.others
+    }
+
+    /// Whether nothing was edited between the two; which lab is open is no edit.
+    pub(crate) fn same_work(&self, clean: &Self) -> bool {
+        let known = |document: &Self, name: &str| {
+            let all = std::iter::once(document.input()).chain(&document.others);
+            all.into_iter().find(|input| input.name() == name).cloned()
+        };
+        let same = |input: &LabInput| {
+            let name = input.name();
+            known(clean, name).or_else(|| labs::default_input(name)).as_ref() == Some(input)
+        };
+        if !std::iter::once(self.input()).chain(&self.others).all(same) {
+            return false;
+        }
+        // The labs are compared: what else there is, without a copy of the meshes.
+        let bare = |document: &Self| Scene { lab: None, ..document.scene.clone() };
+        bare(self) == bare(clean)
     }
 
     /// The inputs of the open lab.
@@ -138,6 +167,19 @@ pub(crate) struct ViewState {
     pub(crate) choices: bool,
     /// Whether the keys are shown.
     pub(crate) keys: bool,
+    /// The command palette, while it is open.
+    pub(crate) palette: Option<Palette>,
+}
+
+/// The command palette, while it is open.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Palette {
+    /// As typed so far.
+    pub(crate) typed: String,
+    /// Which of the commands that fit is chosen.
+    pub(crate) chosen: usize,
+    /// Whether it was already shown.
+    pub(crate) shown: bool,
 }
 
 impl Default for ViewState {
@@ -156,6 +198,7 @@ impl Default for ViewState {
             snap: Snap::Half,
             choices: false,
             keys: false,
+            palette: None,
         }
     }
 }

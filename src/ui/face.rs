@@ -1,6 +1,9 @@
 //! What every panel is given: the look, the words, and a way to ask for something.
 
-use crate::theme::{Look, Text};
+use crate::{
+    platform::Purpose,
+    theme::{Look, Text},
+};
 use egui::RichText;
 use rasterscope_core::{
     explain::Level,
@@ -55,8 +58,8 @@ pub(crate) enum Command {
     Preset(&'static str),
     /// Open a file.
     Open(String),
-    /// Ask for a file to open.
-    Choose,
+    /// Show the dialog that chooses a file.
+    Choose(Purpose),
     /// Ask for a path to open.
     AskOpen,
     /// Ask for a path to save to.
@@ -67,6 +70,39 @@ pub(crate) enum Command {
     Save,
     /// Close the bar under the ribbon.
     Dismiss,
+    /// Go back to the document as it was opened or saved.
+    Reset,
+    /// Save, then do what was asked for.
+    SaveFirst,
+    /// Do what was asked for, without saving.
+    Discard,
+    /// Bring back the work that was set aside.
+    BringBack,
+    /// Forget the work that was set aside.
+    Forget,
+    /// Close the window.
+    Quit,
+    /// Ask for a path to write the picture to.
+    AskPicture,
+    /// Write the picture.
+    Picture(String),
+    /// Put the picture on the clipboard.
+    CopyPicture,
+    /// Put the values on the clipboard.
+    CopyValues,
+    /// Show or hide the command palette.
+    Palette,
+    /// Make everything bigger by a step.
+    Bigger,
+    /// Make everything smaller by a step.
+    Smaller,
+}
+
+impl Command {
+    /// Whether it takes the document away.
+    pub(crate) fn replaces(&self) -> bool {
+        matches!(self, Self::Open(_) | Self::Preset(_) | Self::BringBack | Self::Quit)
+    }
 }
 
 /// The look and the words, and where commands go.

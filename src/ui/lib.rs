@@ -10,8 +10,10 @@
 mod app;
 mod commands;
 mod document;
+mod export;
 mod face;
 mod files;
+mod keeping;
 mod labs;
 mod overview;
 mod paint;
@@ -19,12 +21,13 @@ mod panels;
 mod platform;
 mod presets;
 mod run;
+mod session;
 mod shell;
 mod theme;
 mod widgets;
 
 pub use app::App;
-pub use platform::Platform;
+pub use platform::{Platform, Purpose};
 
 #[cfg(test)]
 mod tests;

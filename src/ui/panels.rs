@@ -9,8 +9,8 @@ use crate::{
         canvas::{Drawing, Maker},
         choices, header,
         inspector::{self, Digest, Whole},
-        keys, menu, notice,
-        ribbon::{self, Shape},
+        keys, menu, notice, palette,
+        ribbon::{self, Chip, Shape},
         timeline,
     },
     theme::Text,
@@ -41,6 +41,7 @@ impl App {
             narrow,
             title: self.words.word(name),
             subtitle: self.subtitle(),
+            modified: self.modified(),
             about: self.words.word(about(name)),
             lab: name,
             preset: self
@@ -66,6 +67,7 @@ impl App {
             _ => Shape::Flat,
         };
         let chips = self.overview.chips(self.view.theme, &words);
+        let chips = self.chips(chips, lab, stage);
         Panel::top("ribbon")
             .exact_size(shape.height())
             .resizable(false)
@@ -133,7 +135,29 @@ impl App {
         if self.view.keys {
             keys::overlay(ui, &face);
         }
+        if let Some(palette) = &mut self.view.palette {
+            palette::show(ui, &face, &frame, palette);
+        }
         self.presets = presets;
+    }
+
+    /// The chips, with what the open lab does in its own.
+    fn chips(&self, of_scene: Rc<[Chip]>, lab: usize, stage: core_labs::Stage) -> Rc<[Chip]> {
+        let shown = self.run.shown();
+        let outcome = shown.and_then(|shown| self.labs[lab].outcome(&self.document, &shown.markers));
+        let Some(outcome) = outcome else { return of_scene };
+        let mut chips = of_scene.to_vec();
+        for chip in &mut chips {
+            if chip.stage == stage {
+                chip.count = Some(outcome.count());
+                chip.unit = outcome.unit.map_or_else(String::new, |unit| self.words.word(unit));
+                chip.skipped = None;
+            } else if chip.stage == core_labs::Stage::Scene && self.document.scene.draws.is_empty() {
+                chip.count = Some(outcome.given.0.to_string());
+                chip.unit = self.words.word(outcome.given.1);
+            }
+        }
+        chips.into()
     }
 
     fn canvas_panel(&mut self, ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, lab: usize) {
@@ -162,7 +186,9 @@ impl App {
         };
         let mut open =
             Open { lab: self.labs[lab].as_ref(), document: &mut self.document, view: &mut self.view };
-        self.canvas.show(ui, face, &mut self.textures, drawing, &mut open);
+        let hover = overview.then_some(self.canvas.hovered).flatten();
+        let hover = hover.and_then(|pixel| self.overview.hover(pixel, face.words));
+        self.canvas.show(ui, face, &mut self.textures, drawing, &mut open, hover.as_deref());
     }
 
     /// The choices over the canvas of a narrow window.
@@ -183,7 +209,8 @@ impl App {
         Open { lab: self.labs[lab].as_ref(), document: &mut self.document, view: &mut self.view }
     }
 
-    fn subtitle(&self) -> String {
+    /// What is open: a file, a preset, or a scene without either.
+    pub(crate) fn subtitle(&self) -> String {
         let preset = self.preset.as_ref().and_then(|(name, _)| self.presets.iter().find(|p| p.name == *name));
         match (&self.path, preset) {
             (Some(path), _) => path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned(),

@@ -13,10 +13,27 @@ pub trait Platform {
     /// Writes a file whole or not at all.
     fn write(&mut self, path: &str, bytes: &[u8]) -> io::Result<()>;
 
-    /// Lets the user choose a file to open; the answer comes later, by [`Self::chosen`].
+    /// Lets the user choose a file; the answer comes later, by [`Self::chosen`].
     /// `false` if there is no such dialog here: a path can still be typed.
-    fn choose_file(&mut self) -> bool;
+    fn choose_file(&mut self, purpose: Purpose) -> bool;
 
-    /// The file chosen since the last call.
-    fn chosen(&mut self) -> Option<String>;
+    /// The file chosen since the last call, and for what.
+    fn chosen(&mut self) -> Option<(Purpose, String)>;
+
+    /// What was kept in the program's own folder under that name; `None` if nothing was.
+    fn kept(&mut self, name: &str) -> Option<Vec<u8>>;
+
+    /// Keeps bytes in the program's own folder, whole or not at all.
+    fn keep(&mut self, name: &str, bytes: &[u8]) -> io::Result<()>;
+}
+
+/// What a file is chosen for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// A scene or a model to open.
+    Open,
+    /// A scene to write.
+    Save,
+    /// A picture to write.
+    Picture,
 }

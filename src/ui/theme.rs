@@ -54,6 +54,8 @@ pub(crate) enum Text {
     Title,
     /// The sentence of a step.
     Sentence,
+    /// What a sentence is about.
+    SentenceStrong,
     /// Body and tabs.
     Body,
     /// Body that stands out.
@@ -117,6 +119,7 @@ impl Look {
         let (size, font) = match text {
             Text::Title => (sizes.title, Font::SansBold),
             Text::Sentence => (sizes.sentence, Font::Sans),
+            Text::SentenceStrong => (sizes.sentence, Font::SansBold),
             Text::Body => (sizes.body, Font::Sans),
             Text::Strong => (sizes.body, Font::SansBold),
             Text::Label => (sizes.label, Font::Sans),

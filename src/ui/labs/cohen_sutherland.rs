@@ -1,6 +1,6 @@
 //! Cohen-Sutherland: drag the ends of a line and the window that clips it.
 
-use super::{Handle, Kind, Lab};
+use super::{Handle, Kind, Lab, Outcome};
 use crate::{
     document::{Document, ViewState},
     face::Face,
@@ -8,7 +8,11 @@ use crate::{
     widgets::heading,
 };
 use egui::Ui;
-use rasterscope_core::{math::Arithmetic, scene::LabInput};
+use rasterscope_core::{
+    explain::{Marker, Role},
+    math::Arithmetic,
+    scene::LabInput,
+};
 
 /// The lab.
 #[derive(Debug)]
@@ -62,6 +66,12 @@ impl Lab for CohenSutherland {
         let ends = [end("P1", [*x1, *y1]), end("P2", [*x2, *y2])];
         // The ends last: where a handle of the window lies on an end, the end is on top.
         sides.into_iter().chain(ends).collect()
+    }
+
+    fn outcome(&self, _: &Document, markers: &[(usize, Marker)]) -> Option<Outcome> {
+        let decided = markers.iter().rev().find(|(_, marker)| marker.role != Role::Neutral);
+        let kept = decided.is_some_and(|(_, marker)| marker.role == Role::Accepted);
+        Some(Outcome { came: Some(1), went: usize::from(kept), unit: None, given: (1, "ui-unit-line") })
     }
 
     fn drag(&self, document: &mut Document, handle: usize, [x, y]: [f32; 2]) {

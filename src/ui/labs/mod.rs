@@ -14,6 +14,8 @@ use crate::{
     face::Face,
 };
 use egui::Ui;
+use rasterscope_core::explain::{Marker, Role};
+use rasterscope_figure::numbers;
 
 /// A stage as the shell sees it.
 pub(crate) trait Lab: std::fmt::Debug {
@@ -26,8 +28,40 @@ pub(crate) trait Lab: std::fmt::Debug {
     /// What can be dragged on the canvas, in the units of the drawing.
     fn handles(&self, document: &Document) -> Vec<Handle>;
 
+    /// What the run did, for the ribbon: from the marks of its timeline.
+    fn outcome(&self, document: &Document, markers: &[(usize, Marker)]) -> Option<Outcome>;
+
     /// Moves a handle: the only way in which the canvas edits the document.
     fn drag(&self, document: &mut Document, handle: usize, to: [f32; 2]);
+}
+
+/// What a lab did, as its chip says it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Outcome {
+    /// What came in, if that is not said by the chip before.
+    pub(crate) came: Option<usize>,
+    /// What went out.
+    pub(crate) went: usize,
+    /// The message that names what went out, where it is not clear.
+    pub(crate) unit: Option<&'static str>,
+    /// The input of a lab that draws nothing of the scene: how many, and the message that names them.
+    pub(crate) given: (usize, &'static str),
+}
+
+impl Outcome {
+    /// The count as the chip shows it.
+    pub(crate) fn count(&self) -> String {
+        let number = |n: usize| numbers::integer(i64::try_from(n).unwrap_or(i64::MAX));
+        match self.came {
+            Some(came) => format!("{} → {}", number(came), number(self.went)),
+            None => number(self.went),
+        }
+    }
+}
+
+/// How many marks of the timeline have a role.
+fn count(markers: &[(usize, Marker)], role: Role) -> usize {
+    markers.iter().filter(|(_, marker)| marker.role == role).count()
 }
 
 /// What is open, to be edited.

@@ -1,6 +1,8 @@
 //! The overview: the whole scene, its conventions, and vertices to drag in the image.
 
-use super::{Handle, Kind, Lab, scanline::fill_rule, transform::depth_range, z_buffer::depth_format};
+use super::{
+    Handle, Kind, Lab, Outcome, scanline::fill_rule, transform::depth_range, z_buffer::depth_format,
+};
 use crate::{
     document::{Document, ViewState},
     face::Face,
@@ -11,6 +13,7 @@ use egui::Ui;
 use glam::{DMat4, DVec4};
 use rasterscope_core::{
     cull::{CullMode, FrontFace},
+    explain::Marker,
     pipeline::Skip,
     raster::YAxis,
     scene::{Geometry, Scene},
@@ -63,6 +66,10 @@ impl Lab for Pipeline {
             }
         }
         handles
+    }
+
+    fn outcome(&self, _: &Document, _: &[(usize, Marker)]) -> Option<Outcome> {
+        None // the chips are the pipeline's own
     }
 
     /// Moves a vertex in the plane that is parallel to the screen.

@@ -1,6 +1,6 @@
 //! The slope scan line: drag the corners of a triangle over the pixels it fills.
 
-use super::{Handle, Kind, Lab};
+use super::{Handle, Kind, Lab, Outcome};
 use crate::{
     document::{Document, ViewState},
     face::Face,
@@ -9,6 +9,7 @@ use crate::{
 };
 use egui::Ui;
 use rasterscope_core::{
+    explain::{Marker, Role},
     pipeline::screen_triangles,
     raster::FillRule,
     scene::{Draw, LabInput, Scene},
@@ -50,6 +51,16 @@ impl Lab for Scanline {
         let corner =
             |(i, at): (usize, &[f32; 2])| Handle { name: format!("V{i}"), at: *at, kind: Kind::Point };
         corners.iter().enumerate().map(corner).collect()
+    }
+
+    fn outcome(&self, _: &Document, markers: &[(usize, Marker)]) -> Option<Outcome> {
+        let span = |marker: &Marker| marker.role == Role::Neutral && marker.label.is_none();
+        Some(Outcome {
+            came: None,
+            went: markers.iter().filter(|(_, marker)| span(marker)).count(),
+            unit: Some("pipeline-unit-spans"),
+            given: (1, "pipeline-unit-triangles"),
+        })
     }
 
     fn drag(&self, document: &mut Document, handle: usize, to: [f32; 2]) {

@@ -1,6 +1,6 @@
 //! The transform chain: one vertex from object space to the screen.
 
-use super::{Handle, Lab};
+use super::{Handle, Lab, Outcome, count};
 use crate::{
     document::{Document, ViewState},
     face::Face,
@@ -9,6 +9,7 @@ use crate::{
 };
 use egui::Ui;
 use rasterscope_core::{
+    explain::{Marker, Role},
     scene::{Geometry, LabInput},
     transform::DepthRange,
 };
@@ -49,6 +50,15 @@ impl Lab for Transform {
 
     fn handles(&self, _: &Document) -> Vec<Handle> {
         Vec::new()
+    }
+
+    fn outcome(&self, _: &Document, markers: &[(usize, Marker)]) -> Option<Outcome> {
+        Some(Outcome {
+            came: None,
+            went: count(markers, Role::Accepted),
+            unit: Some("pipeline-unit-vertices"),
+            given: (1, "pipeline-unit-vertices"),
+        })
     }
 
     fn drag(&self, _: &mut Document, _: usize, _: [f32; 2]) {}

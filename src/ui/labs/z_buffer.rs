@@ -1,7 +1,7 @@
 //! The z-buffer: drag triangles over each other and change their depths.
 
 use super::{
-    Handle, Kind, Lab,
+    Handle, Kind, Lab, Outcome, count,
     scanline::{fill_rule, is_small},
 };
 use crate::{
@@ -11,7 +11,12 @@ use crate::{
     widgets::heading,
 };
 use egui::Ui;
-use rasterscope_core::{depth::DepthFormat, pipeline::screen_triangles, scene::LabInput};
+use rasterscope_core::{
+    depth::DepthFormat,
+    explain::{Marker, Role},
+    pipeline::screen_triangles,
+    scene::LabInput,
+};
 
 /// The lab.
 #[derive(Debug)]
@@ -49,6 +54,16 @@ impl Lab for ZBuffer {
             Handle { name: name(i / 3, i % 3), at: [x, y], kind: Kind::Point }
         };
         (0..3 * triangles.len()).map(corner).collect()
+    }
+
+    fn outcome(&self, document: &Document, markers: &[(usize, Marker)]) -> Option<Outcome> {
+        let passed = count(markers, Role::Accepted);
+        Some(Outcome {
+            came: Some(passed + count(markers, Role::Rejected)),
+            went: passed,
+            unit: None,
+            given: (triangles(document).len(), "pipeline-unit-triangles"),
+        })
     }
 
     fn drag(&self, document: &mut Document, handle: usize, [x, y]: [f32; 2]) {

@@ -39,12 +39,17 @@ pub(super) fn table(stats: &Stats, words: &Words) -> TextTable {
     let row = |stage: Stage| {
         let count = stats.stage(stage);
         let dropped: u64 = count.reasons().map(|(_, n)| n).sum();
-        let cells =
-            vec![value(count.came), value(count.went), Value::Word(Unit::of(stage).word()), value(dropped)];
+        let cells = vec![
+            value(count.came),
+            Value::Word(Unit::into(stage).word()),
+            value(count.went),
+            Value::Word(Unit::of(stage).word()),
+            value(dropped),
+        ];
         Row::new(words.word(stage.word()), cells)
     };
     let rows = Stage::ALL.into_iter().filter(|stage| stats.stage(*stage).on).map(row).collect();
-    let columns = vec!["column-came", "column-went", "", "column-dropped"];
+    let columns = vec!["column-came", "", "column-went", "", "column-dropped"];
     let table = Table { title: "ui-stages", columns, rows };
     tables::format(std::slice::from_ref(&table), &[], words).swap_remove(0)
 }

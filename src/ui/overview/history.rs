@@ -1,6 +1,12 @@
 //! The history of a pixel in words.
 
-use rasterscope_core::{explain::Role, message::Value, pipeline::PixelHistory, scene::Scene};
+use rasterscope_core::{
+    depth::DepthFormat,
+    explain::Role,
+    message::{Message, Value},
+    pipeline::{Outcome, Outputs, PixelHistory, pixel_history},
+    scene::Scene,
+};
 use rasterscope_figure::words::Words;
 
 /// What happened to a pixel, ready to be shown.
@@ -39,5 +45,41 @@ impl History {
             entries: entries.collect(),
             sentence: words.message(&history.sentence()),
         }
+    }
+}
+
+/// Of larger scenes the pointer is not told who drew a pixel: that looks at every triangle.
+const MOST_TRIANGLES: usize = 20_000;
+
+/// What a pixel holds, for the line below the canvas.
+#[derive(Clone, Debug)]
+pub(crate) struct Hover {
+    pub(crate) pixel: [u32; 2],
+    pub(crate) text: String,
+}
+
+impl Hover {
+    pub(crate) fn new(scene: &Scene, outputs: &Outputs, pixel: [u32; 2], words: &Words) -> Self {
+        let frame = &outputs.frame;
+        let at = frame.index(pixel);
+        let depth = Message::new("ui-readout-depth").with("depth", frame.depth[at]);
+        let mut parts = vec![words.message(&depth)];
+        if let Some(codes) = frame.depth_codes.as_ref().filter(|_| scene.depth_format != DepthFormat::F32) {
+            let code = Value::Code { code: codes[at], width: scene.depth_format.bits() };
+            parts.push(words.message(&Message::new("ui-readout-code").with("code", code)));
+        }
+        let triangles: usize = outputs.draws.iter().map(|draw| draw.mesh().triangles.len()).sum();
+        if triangles <= MOST_TRIANGLES {
+            let history = pixel_history(scene, outputs, pixel);
+            let drawn =
+                history.entries.iter().rfind(|entry| matches!(entry.outcome, Outcome::Written { .. }));
+            parts.push(match drawn {
+                Some(entry) => {
+                    words.message(&Message::new("ui-readout-by").with("name", Value::text(&entry.name)))
+                }
+                None => words.word("ui-readout-clear"),
+            });
+        }
+        Self { pixel, text: parts.join("  ") }
     }
 }

@@ -8,7 +8,7 @@ mod image;
 mod space;
 mod thumbnails;
 
-pub(crate) use history::{Entry, History};
+pub(crate) use history::{Entry, History, Hover};
 
 use crate::{
     document::{Scenery, ViewState},
@@ -37,6 +37,7 @@ pub(crate) struct Overview {
     chips: Memo<(u64, ThemeName), Rc<[Chip]>>,
     table: Memo<u64, Rc<TextTable>>,
     history: Memo<(u64, [u32; 2]), Rc<History>>,
+    hover: Memo<(u64, [u32; 2]), Rc<Hover>>,
 }
 
 /// What the overview's drawing depends on.
@@ -70,6 +71,7 @@ impl Default for Overview {
             chips: Memo::default(),
             table: Memo::default(),
             history: Memo::default(),
+            hover: Memo::default(),
         }
     }
 }
@@ -143,5 +145,16 @@ impl Overview {
             Rc::new(History::new(&pixel_history(scene, outputs, pixel), scene, words))
         });
         Some(Rc::clone(history))
+    }
+
+    /// What a pixel holds and who drew it, in one line.
+    pub(crate) fn hover(&mut self, pixel: [u32; 2], words: &Words) -> Option<Rc<Hover>> {
+        let (scene, _) = self.seen.as_ref()?;
+        if pixel[0] >= scene.size[0] || pixel[1] >= scene.size[1] {
+            return None;
+        }
+        let outputs = self.pipeline.outputs();
+        let hover = self.hover.get((self.rev, pixel), |_| Rc::new(Hover::new(scene, outputs, pixel, words)));
+        Some(Rc::clone(hover))
     }
 }

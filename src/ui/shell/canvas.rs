@@ -5,6 +5,7 @@ use crate::{
     document::{Tab, ViewState},
     face::Face,
     labs::{Handle, Open},
+    overview::Hover,
     paint::{self, Textures},
     theme::Text,
     widgets::text_in,
@@ -14,7 +15,7 @@ use egui::{
 };
 use rasterscope_core::{
     explain::{Grid, Mark, View},
-    message::Message,
+    message::{Message, Value},
 };
 use rasterscope_figure::{
     figure::Figure,
@@ -58,6 +59,8 @@ pub(crate) struct Canvas {
     figure: Option<(FigureKey, Figure, Places)>,
     handles: Vec<Id>,
     dragging: bool,
+    /// The pixel under the pointer in the last frame.
+    pub(crate) hovered: Option<[u32; 2]>,
     /// How often a figure was laid out: tests assert on it.
     pub(crate) drawn: usize,
 }
@@ -77,6 +80,11 @@ impl Canvas {
         &self.handles
     }
 
+    /// The drawing of the last frame.
+    pub(crate) fn last_figure(&self) -> Option<&Figure> {
+        self.figure.as_ref().map(|(_, figure, _)| figure)
+    }
+
     /// Whether a handle is being dragged.
     pub(crate) fn dragging(&self) -> bool {
         self.dragging
@@ -90,6 +98,7 @@ impl Canvas {
         textures: &mut Textures,
         drawing: Drawing<'_>,
         open: &mut Open<'_>,
+        hover: Option<&Hover>,
     ) {
         let rect = ui.max_rect();
         // A camera of its own looks at the scene from outside: there is no plane to drag in.
@@ -111,7 +120,7 @@ impl Canvas {
         for (response, handle) in &shown {
             handles::paint(ui, face, response, plane.place(handle.at), handle.kind);
         }
-        readout(ui, face, &plane, &background, drawing);
+        self.hovered = readout(ui, face, &plane, &background, drawing, hover);
     }
 
     /// Lets every handle be moved; what moves edits the document.
@@ -256,24 +265,49 @@ fn pixel_at(plane: &Plane, at: Pos2) -> Option<[u32; 2]> {
     (x >= 0.0 && y >= 0.0).then_some([x as u32, y as u32])
 }
 
-/// What lies under the pointer, at the foot of the canvas.
-fn readout(ui: &Ui, face: &Face<'_>, plane: &Plane, ground: &Response, drawing: Drawing<'_>) {
+/// What lies under the pointer, at the foot of the canvas; returns the pixel there.
+fn readout(
+    ui: &Ui,
+    face: &Face<'_>,
+    plane: &Plane,
+    ground: &Response,
+    drawing: Drawing<'_>,
+    known: Option<&Hover>,
+) -> Option<[u32; 2]> {
     if drawing.rev.0 == Maker::Space {
-        return foot(ui, face, plane.rect, &face.say("ui-readout-space"));
+        foot(ui, face, plane.rect, &face.say("ui-readout-space"));
+        return None;
     }
     let hover = ui.ctx().pointer_hover_pos();
-    let Some(at) = hover.filter(|at| plane.rect.contains(*at) && ground.contains_pointer()) else { return };
-    let message = if has_pixels(drawing) {
-        let Some([x, y]) = pixel_at(plane, at) else { return };
-        let centre = [x as f32 + 0.5, y as f32 + 0.5];
-        Message::new("ui-readout-pixel").with("x", x).with("y", y).with("centre", centre)
-    } else if drawing.view.grid == Grid::Units {
-        let at = plane.point(at).map(|c| (c * 100.0).round() / 100.0);
-        Message::new("ui-readout-point").with("at", at)
-    } else {
-        return;
+    let at = hover.filter(|at| plane.rect.contains(*at) && ground.contains_pointer())?;
+    if !has_pixels(drawing) {
+        if drawing.view.grid == Grid::Units {
+            let at = plane.point(at).map(|c| (c * 100.0).round() / 100.0);
+            foot(ui, face, plane.rect, &face.words.message(&Message::new("ui-readout-point").with("at", at)));
+        }
+        return None;
+    }
+    let pixel = pixel_at(plane, at)?;
+    let [x, y] = pixel;
+    let centre = [x as f32 + 0.5, y as f32 + 0.5];
+    let place = Message::new("ui-readout-pixel").with("x", x).with("y", y).with("centre", centre);
+    let mut line = face.words.message(&place);
+    if let Some(known) = known.filter(|known| known.pixel == pixel) {
+        line = format!("{line}  {}", known.text);
+    } else if let Some(value) = value_at(drawing.marks, pixel) {
+        line = format!("{line}  {}", face.say_with("ui-readout-value", "value", value));
+    }
+    foot(ui, face, plane.rect, &line);
+    Some(pixel)
+}
+
+/// The value that a drawing has at a pixel.
+fn value_at(marks: &[Mark], pixel: [u32; 2]) -> Option<Value> {
+    let here = |mark: &Mark| match mark {
+        Mark::Pixel { at, value, .. } if at.map(i64::from) == pixel.map(i64::from) => Some(value.clone()),
+        _ => None,
     };
-    foot(ui, face, plane.rect, &face.words.message(&message));
+    marks.iter().rev().find_map(here).filter(|value| *value != Value::None)
 }
 
 /// One line at the foot of the canvas.

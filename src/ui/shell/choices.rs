@@ -13,29 +13,38 @@ use egui::{Align2, ComboBox, DragValue, Rect, ScrollArea, Ui, pos2, vec2};
 use rasterscope_core::{math::Arithmetic, message::Value};
 use rasterscope_figure::numbers;
 
-/// More presets than this scroll, so that the conventions stay in sight.
-const MOST_PRESETS: usize = 8;
+/// The presets get at most this part of the height, and scroll by themselves.
+const PRESETS: f32 = 0.42;
 
 /// Shows the choices of a lab and edits the document.
+///
+/// Presets and conventions scroll one below the other, never one in the other.
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, open: &mut Open<'_>) {
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+    let whole = ui.available_height();
+    ui.label(face.rich(&frame.title, Text::Title));
+    ui.label(face.dim(&frame.about, Text::Label));
+    presets(ui, face, frame, whole * PRESETS);
+    ScrollArea::vertical().id_salt("conventions").auto_shrink(false).show(ui, |ui| {
         ui.set_width(ui.available_width());
-        ui.label(face.rich(&frame.title, Text::Title));
-        ui.label(face.dim(&frame.about, Text::Label));
-        presets(ui, face, frame);
         open.lab.controls(ui, face, open.document, open.view);
     });
 }
 
-fn presets(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
+fn presets(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, most: f32) {
     let mine: Vec<_> = frame.presets.iter().filter(|preset| preset.lab == frame.lab).collect();
     if mine.is_empty() {
         return;
     }
     heading(ui, face, &face.say("ui-presets"));
     let height = face.look.row_height();
-    let most = height * if mine.len() > MOST_PRESETS { MOST_PRESETS as f32 - 0.5 } else { mine.len() as f32 };
-    ScrollArea::vertical().id_salt("presets").max_height(most).auto_shrink([false, true]).show(ui, |ui| {
+    // Half a row at the foot says that there are more.
+    let rows = if height * mine.len() as f32 <= most {
+        mine.len() as f32
+    } else {
+        ((most / height) - 0.5).floor().max(2.0) + 0.5
+    };
+    let list = ScrollArea::vertical().id_salt("presets").max_height(height * rows);
+    list.auto_shrink([false, true]).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         for one in mine {
             preset(ui, face, one, frame.preset == Some(one.name));

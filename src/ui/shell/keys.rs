@@ -5,6 +5,7 @@ use crate::{
     theme::Text,
 };
 use egui::{Align2, Context, EventFilter, Grid, Id, Key, KeyboardShortcut, Modifiers, Popup, Ui, Window};
+use rasterscope_core::explain::Level;
 
 /// One key, what it does, and the message that says so.
 type Shortcut = (KeyboardShortcut, Command, &'static str);
@@ -26,6 +27,15 @@ pub(crate) fn all() -> Vec<Shortcut> {
         (ctrl(Key::O), Command::AskOpen, "ui-file-open"),
         (ctrl_shift(Key::S), Command::AskSave, "ui-file-save-as"),
         (ctrl(Key::S), Command::Save, "ui-file-save"),
+        (ctrl(Key::E), Command::AskPicture, "ui-file-picture"),
+        (ctrl_shift(Key::C), Command::CopyPicture, "ui-copy-picture"),
+        (ctrl(Key::Q), Command::Quit, "ui-file-quit"),
+        (ctrl(Key::K), Command::Palette, "ui-palette"),
+        (ctrl_shift(Key::P), Command::Palette, "ui-palette"),
+        (ctrl(Key::Plus), Command::Bigger, "ui-key-bigger"),
+        (ctrl(Key::Equals), Command::Bigger, "ui-key-bigger"),
+        (ctrl(Key::Minus), Command::Smaller, "ui-key-smaller"),
+        (ctrl(Key::Num0), Command::TextSize(1.0), "ui-key-normal"),
         (key(Key::F), Command::Fit, "ui-key-fit"),
         (key(Key::F8), Command::NextTheme, "ui-key-theme"),
         (key(Key::F1), Command::Keys, "ui-help-keys"),
@@ -58,6 +68,24 @@ pub(crate) fn pressed(ctx: &Context, handles: &[Id]) -> Vec<Command> {
     })
 }
 
+/// A key as it is shown.
+pub(crate) fn text(ctx: &Context, shortcut: &KeyboardShortcut) -> String {
+    match shortcut.logical_key {
+        Key::ArrowLeft => "←".to_owned(),
+        Key::ArrowRight => "→".to_owned(),
+        _ => ctx.format_shortcut(shortcut),
+    }
+}
+
+/// The message that names the size of a step.
+pub(crate) fn level(level: Level) -> &'static str {
+    match level {
+        Level::Primitive => "ui-level-primitive",
+        Level::Row => "ui-level-row",
+        Level::Detail => "ui-level-detail",
+    }
+}
+
 /// Keeps the arrow keys from moving the focus: left and right step, and on a handle all four move
 /// it. Tab moves the focus.
 pub(crate) fn keep_arrows(ctx: &Context) {
@@ -82,13 +110,7 @@ pub(crate) fn overlay(ui: &Ui, face: &Face<'_>) {
     area.show(ui.ctx(), |ui| {
         Grid::new("keys").num_columns(2).spacing([24.0, 6.0]).show(ui, |ui| {
             for (shortcut, _, name) in all() {
-                let keys = ui.ctx().format_shortcut(&shortcut);
-                let keys = match shortcut.logical_key {
-                    Key::ArrowLeft => "←".to_owned(),
-                    Key::ArrowRight => "→".to_owned(),
-                    _ => keys,
-                };
-                ui.label(face.rich(keys, Text::MonoStrong));
+                ui.label(face.rich(text(ui.ctx(), &shortcut), Text::MonoStrong));
                 ui.label(face.rich(face.say(name), Text::Label));
                 ui.end_row();
             }

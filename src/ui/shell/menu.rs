@@ -10,11 +10,12 @@ use egui::{
     Align2, Button, MenuBar, Rect, RichText, Sense, Style, Ui, WidgetInfo, containers::menu::menu_style,
     pos2, vec2,
 };
+use rasterscope_core::message::Value;
 use rasterscope_figure::theme::ThemeName;
 
-/// Factors of the text size that can be chosen, with their messages.
-const TEXT_SIZES: [(f32, &str); 4] =
-    [(1.0, "ui-text-100"), (1.25, "ui-text-125"), (1.5, "ui-text-150"), (2.0, "ui-text-200")];
+/// What the palette has beside the keys.
+pub(crate) const WITHOUT_KEY: [(&str, Command); 2] =
+    [("ui-file-reset", Command::Reset), ("ui-copy-values", Command::CopyValues)];
 
 /// Shows the menu bar.
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
@@ -38,7 +39,10 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
                 item(ui, face, "ui-edit-redo", "Ctrl+Y", frame.can_redo, Command::Redo);
             });
             view(ui, face, frame);
-            menu(ui, face, "ui-menu-help", |ui| item(ui, face, "ui-help-keys", "F1", true, Command::Keys));
+            menu(ui, face, "ui-menu-help", |ui| {
+                item(ui, face, "ui-palette", "Ctrl+K", true, Command::Palette);
+                item(ui, face, "ui-help-keys", "F1", true, Command::Keys);
+            });
             ui.add_space(4.0);
             for (icon, name, can, command) in [
                 (Icon::Undo, "ui-edit-undo", frame.can_undo, Command::Undo),
@@ -90,6 +94,13 @@ fn file(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
         ui.separator();
         item(ui, face, "ui-file-save", "Ctrl+S", true, Command::Save);
         item(ui, face, "ui-file-save-as", "Ctrl+Shift+S", true, Command::AskSave);
+        item(ui, face, "ui-file-reset", "", frame.modified, Command::Reset);
+        ui.separator();
+        item(ui, face, "ui-file-picture", "Ctrl+E", true, Command::AskPicture);
+        item(ui, face, "ui-copy-picture", "Ctrl+Shift+C", true, Command::CopyPicture);
+        item(ui, face, "ui-copy-values", "", true, Command::CopyValues);
+        ui.separator();
+        item(ui, face, "ui-file-quit", "Ctrl+Q", true, Command::Quit);
     });
 }
 
@@ -105,13 +116,11 @@ fn view(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
         }
         ui.separator();
         ui.label(face.dim(face.say("ui-view-text-size"), Text::LabelStrong));
-        let now = ui.ctx().zoom_factor();
-        for (size, name) in TEXT_SIZES {
-            if ui.selectable_label((now - size).abs() < 0.01, face.say(name)).clicked() {
-                face.ask(Command::TextSize(size));
-                ui.close();
-            }
-        }
+        let percent = (ui.ctx().zoom_factor() * 100.0).round() as usize;
+        ui.label(face.say_with("ui-text-percent", "percent", percent));
+        item(ui, face, "ui-key-bigger", "Ctrl++", true, Command::Bigger);
+        item(ui, face, "ui-key-smaller", "Ctrl+-", true, Command::Smaller);
+        item(ui, face, "ui-key-normal", "Ctrl+0", true, Command::TextSize(1.0));
     });
 }
 
@@ -154,7 +163,12 @@ fn buttons(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, bar: Rect) -> f32 {
 fn title(ui: &Ui, face: &Face<'_>, frame: &Frame<'_>, room: Rect, bar: Rect) {
     let painter = ui.painter();
     let strong = painter.layout_no_wrap(frame.title.clone(), face.look.font(Text::Strong), face.look.text);
-    let dim = painter.layout_no_wrap(frame.subtitle.clone(), face.look.font(Text::Body), face.look.dim);
+    let subtitle = if frame.modified {
+        face.say_with("ui-edited", "name", Value::text(&frame.subtitle))
+    } else {
+        frame.subtitle.clone()
+    };
+    let dim = painter.layout_no_wrap(subtitle.clone(), face.look.font(Text::Body), face.look.dim);
     let width = strong.size().x + 10.0 + dim.size().x;
     let middle = bar.center().x - width / 2.0;
     let x = middle.min(room.right() - width).max(room.left());
@@ -166,13 +180,6 @@ fn title(ui: &Ui, face: &Face<'_>, frame: &Frame<'_>, room: Rect, bar: Rect) {
     painter.galley(pos2(x, y - strong.size().y / 2.0), strong, face.look.text);
     let rest = Rect::from_min_max(pos2(end + 10.0, bar.top()), pos2(room.right(), bar.bottom()));
     if rest.width() > 60.0 {
-        text_in(
-            painter,
-            rest,
-            Align2::LEFT_CENTER,
-            &frame.subtitle,
-            face.look.font(Text::Body),
-            face.look.dim,
-        );
+        text_in(painter, rest, Align2::LEFT_CENTER, &subtitle, face.look.font(Text::Body), face.look.dim);
     }
 }

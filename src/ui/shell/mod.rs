@@ -8,6 +8,7 @@ pub(crate) mod inspector;
 pub(crate) mod keys;
 pub(crate) mod menu;
 pub(crate) mod notice;
+pub(crate) mod palette;
 pub(crate) mod ribbon;
 pub(crate) mod timeline;
 
@@ -28,6 +29,8 @@ pub(crate) struct Frame<'a> {
     pub(crate) title: String,
     /// On what.
     pub(crate) subtitle: String,
+    /// Whether there are edits that are in no file.
+    pub(crate) modified: bool,
     /// One sentence about it.
     pub(crate) about: String,
     /// The open lab's name.

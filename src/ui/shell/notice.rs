@@ -3,6 +3,7 @@
 use crate::{
     face::{Command, Face},
     paint,
+    platform::Purpose,
     theme::Text,
     widgets::text_in,
 };
@@ -16,15 +17,51 @@ pub(crate) enum Notice {
     Failed(String),
     /// Something worked that leaves no trace on the screen.
     Done(String),
+    /// There are unsaved edits, and something would take them away.
+    Unsaved(Box<Command>),
+    /// The unsaved work of the last time is open again.
+    Back,
+    /// There is unsaved work of another time.
+    Aside,
     /// A path is asked for.
     Path {
-        /// To write rather than to read.
-        save: bool,
+        /// What for.
+        purpose: Purpose,
         /// As typed so far.
         path: String,
         /// Whether the field still has to get the keyboard.
         fresh: bool,
     },
+}
+
+impl Notice {
+    /// Its sentence and the buttons that answer it, but for a path.
+    fn says(&self, face: &Face<'_>) -> (String, Vec<(&'static str, Command)>) {
+        match self {
+            Self::Failed(text) | Self::Done(text) => (text.clone(), vec![("ui-dismiss", Command::Dismiss)]),
+            Self::Unsaved(_) => (
+                face.say("ui-unsaved"),
+                vec![
+                    ("ui-save", Command::SaveFirst),
+                    ("ui-discard", Command::Discard),
+                    ("ui-cancel", Command::Dismiss),
+                ],
+            ),
+            Self::Back => (
+                face.say("ui-work-back"),
+                vec![("ui-discard", Command::Reset), ("ui-dismiss", Command::Dismiss)],
+            ),
+            Self::Aside => (
+                face.say("ui-work-aside"),
+                vec![
+                    ("ui-bring-back", Command::BringBack),
+                    ("ui-discard", Command::Forget),
+                    ("ui-later", Command::Dismiss),
+                ],
+            ),
+            Self::Path { .. } => (String::new(), Vec::new()),
+        }
+    }
 }
 
 /// The height of the bar.
@@ -38,6 +75,7 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, notice: &mut Notice) {
     let bar = match notice {
         Notice::Failed(_) => Some(Role::Rejected),
         Notice::Done(_) => Some(Role::Accepted),
+        Notice::Unsaved(_) | Notice::Back | Notice::Aside => Some(Role::Changed),
         Notice::Path { .. } => None,
     };
     let color = bar.map_or(face.look.text, |role| face.look.role(role));
@@ -48,31 +86,38 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, notice: &mut Notice) {
             let (at, _) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());
             paint::marker(ui.painter(), at.center(), role, 11.0, face.look);
         }
-        match notice {
-            Notice::Failed(text) | Notice::Done(text) => {
-                let room = vec2(ui.available_width() - 110.0, face.look.button_height());
-                let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
-                response.widget_info(|| WidgetInfo::labeled(Part::Label, true, text.as_str()));
-                text_in(
-                    ui.painter(),
-                    rect,
-                    Align2::LEFT_CENTER,
-                    text,
-                    face.look.font(Text::Body),
-                    face.look.text,
-                );
-                response.on_hover_text(text.as_str());
-                if ui.button(face.say("ui-dismiss")).clicked() {
-                    face.ask(Command::Dismiss);
-                }
+        if let Notice::Path { purpose, path, fresh } = notice {
+            return ask(ui, face, *purpose, path, fresh);
+        }
+        let (text, answers) = notice.says(face);
+        let font = face.look.font(Text::Label);
+        let wide =
+            |name: &str| ui.painter().layout_no_wrap(name.to_owned(), font.clone(), color).size().x + 24.0;
+        let names: Vec<String> = answers.iter().map(|(name, _)| face.say(name)).collect();
+        let buttons: f32 = names.iter().map(|name| wide(name)).sum();
+        let room = vec2(ui.available_width() - buttons - 20.0, face.look.button_height());
+        let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
+        response.widget_info(|| WidgetInfo::labeled(Part::Label, true, text.as_str()));
+        text_in(ui.painter(), rect, Align2::LEFT_CENTER, &text, face.look.font(Text::Body), face.look.text);
+        response.on_hover_text(text.as_str());
+        for (name, (_, command)) in names.into_iter().zip(answers) {
+            if ui.button(name).clicked() {
+                face.ask(command);
             }
-            Notice::Path { save, path, fresh } => ask(ui, face, *save, path, fresh),
         }
     });
 }
 
-fn ask(ui: &mut Ui, face: &Face<'_>, save: bool, path: &mut String, fresh: &mut bool) {
-    let label = ui.label(face.rich(face.say(if save { "ui-path-save" } else { "ui-path-open" }), Text::Body));
+fn ask(ui: &mut Ui, face: &Face<'_>, purpose: Purpose, path: &mut String, fresh: &mut bool) {
+    let save = purpose != Purpose::Open;
+    let label = ui.label(face.rich(
+        face.say(match purpose {
+            Purpose::Open => "ui-path-open",
+            Purpose::Save => "ui-path-save",
+            Purpose::Picture => "ui-path-picture",
+        }),
+        Text::Body,
+    ));
     let width = (ui.available_width() - 330.0).max(160.0);
     let field = ui.add(TextEdit::singleline(path).desired_width(width).font(face.look.font(Text::Mono)));
     let field = field.labelled_by(label.id);
@@ -83,10 +128,14 @@ fn ask(ui: &mut Ui, face: &Face<'_>, save: bool, path: &mut String, fresh: &mut 
     let done = ui.button(face.say(if save { "ui-save" } else { "ui-open" })).clicked();
     if (enter || done) && !path.trim().is_empty() {
         let path = path.trim().to_owned();
-        face.ask(if save { Command::SaveAs(path) } else { Command::Open(path) });
+        face.ask(match purpose {
+            Purpose::Open => Command::Open(path),
+            Purpose::Save => Command::SaveAs(path),
+            Purpose::Picture => Command::Picture(path),
+        });
     }
-    if !save && ui.button(face.say("ui-choose-file")).clicked() {
-        face.ask(Command::Choose);
+    if ui.button(face.say("ui-choose-file")).clicked() {
+        face.ask(Command::Choose(purpose));
     }
     if ui.button(face.say("ui-cancel")).clicked() {
         face.ask(Command::Dismiss);

@@ -208,7 +208,7 @@ fn flat(ui: &Ui, face: &Face<'_>, at: Rect, chip: &Chip, chosen: bool) {
 
 fn line(face: &Face<'_>, chip: &Chip) -> String {
     match &chip.count {
-        Some(count) => format!("{count} {}", chip.unit),
+        Some(count) => format!("{count} {}", chip.unit).trim_end().to_owned(),
         None => face.say("ui-stage-off"),
     }
 }

@@ -5,6 +5,7 @@ use crate::{
     face::{Command, Face},
     paint,
     run::Shown,
+    shell::keys,
     theme::Text,
     widgets::{Icon, State, down, icon_button_at},
 };
@@ -191,17 +192,12 @@ fn settings(ui: &mut Ui, face: &Face<'_>, rect: Rect, shown: Option<&Shown>, vie
         ui.horizontal(|ui| {
             ui.spacing_mut().interact_size.y = height;
             ui.spacing_mut().button_padding.y = 1.0;
-            let level = |level| match level {
-                Level::Primitive => "ui-level-primitive",
-                Level::Row => "ui-level-row",
-                Level::Detail => "ui-level-detail",
-            };
-            let text = face.rich(face.say(level(view.level)), Text::Label);
+            let text = face.rich(face.say(keys::level(view.level)), Text::Label);
             let combo = ComboBox::from_id_salt("level").width(94.0).icon(down).selected_text(text).show_ui(
                 ui,
                 |ui| {
                     for each in Level::ALL {
-                        if ui.selectable_label(each == view.level, face.say(level(each))).clicked() {
+                        if ui.selectable_label(each == view.level, face.say(keys::level(each))).clicked() {
                             face.ask(Command::Level(each));
                         }
                     }

@@ -62,7 +62,8 @@ fn playing_steps_by_itself_and_ends() {
 fn nothing_repaints_while_nothing_changes() {
     for lab in rasterscope_core::labs::ALL {
         let mut window = window_with(lab.name);
-        window.run();
+        // Two seconds after the last change the work is kept; then nothing is due.
+        window.run_steps(140);
         let drawn = window.state().app().canvas.drawn;
         window.step();
         let wait = window.output().viewport_output.values().map(|output| output.repaint_delay).min();

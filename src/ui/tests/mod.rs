@@ -1,13 +1,14 @@
 //! The window driven without a window: every lab, keys, files, pictures.
 
 mod files;
+mod keeping;
 mod keys;
 mod labs;
 mod painter;
 mod pictures;
 mod source;
 
-use crate::{App, Platform, theme};
+use crate::{App, Platform, Purpose, theme};
 use egui::{Rect, vec2};
 use egui_kittest::{Harness, kittest::Queryable as _};
 use painter::CpuPainter;
@@ -17,6 +18,10 @@ use std::{collections::BTreeMap, io};
 #[derive(Debug, Default)]
 struct Memory {
     files: BTreeMap<String, Vec<u8>>,
+    /// The program's own folder, and how often it was written to.
+    kept: BTreeMap<String, Vec<u8>>,
+    writes: usize,
+    full: bool,
 }
 
 impl Platform for Memory {
@@ -35,12 +40,25 @@ impl Platform for Memory {
         Ok(())
     }
 
-    fn choose_file(&mut self) -> bool {
+    fn choose_file(&mut self, _: Purpose) -> bool {
         false
     }
 
-    fn chosen(&mut self) -> Option<String> {
+    fn chosen(&mut self) -> Option<(Purpose, String)> {
         None
+    }
+
+    fn kept(&mut self, name: &str) -> Option<Vec<u8>> {
+        self.kept.get(name).cloned()
+    }
+
+    fn keep(&mut self, name: &str, bytes: &[u8]) -> io::Result<()> {
+        if self.full {
+            return Err(io::Error::new(io::ErrorKind::StorageFull, "the disk is full"));
+        }
+        self.kept.insert(name.to_owned(), bytes.to_owned());
+        self.writes += 1;
+        Ok(())
     }
 }
 
@@ -64,6 +82,11 @@ type Window = Harness<'static, Desk>;
 
 /// A window of this size, settled.
 fn window(width: f32, height: f32) -> Window {
+    window_on(width, height, Memory::default())
+}
+
+/// A window of this size on a machine with these files, settled.
+fn window_on(width: f32, height: f32, platform: Memory) -> Window {
     let mut window = Harness::builder()
         .with_size(vec2(width, height))
         .with_max_steps(16)
@@ -76,10 +99,15 @@ fn window(width: f32, height: f32) -> Window {
                 let rect = ui.ctx().content_rect();
                 let mut whole = ui.new_child(egui::UiBuilder::new().max_rect(rect));
                 whole.set_clip_rect(rect);
-                let app = desk.app.get_or_insert_with(|| App::new(ui.ctx()));
-                app.ui(&mut whole, &mut desk.platform);
+                let Desk { app, platform } = desk;
+                let app = app.get_or_insert_with(|| {
+                    let mut app = App::new(ui.ctx());
+                    app.start(ui.ctx(), None, platform);
+                    app
+                });
+                app.ui(&mut whole, platform);
             },
-            Desk { app: None, platform: Memory::default() },
+            Desk { app: None, platform },
         );
     window.run();
     window

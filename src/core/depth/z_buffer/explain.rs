@@ -13,6 +13,9 @@ const SHOWS_CLEAR: usize = 1024;
 /// What a pixel held, what comes to it, what it holds then: message ids.
 const ROWS: [&str; 3] = ["row-before", "row-arrives", "row-after"];
 
+/// Of more triangles only the one being drawn has an outline: the others would hide the image.
+const MOST_OUTLINES: usize = 64;
+
 impl Explain for Snapshot {
     const NAME: &'static str = "z-buffer";
 
@@ -123,7 +126,9 @@ impl Explain for Snapshot {
 
     fn marks(&self, _event: Option<&Event>, out: &mut Vec<Mark>) {
         self.mark_cells(out);
-        for (triangle, index) in self.triangles.iter().zip(0..) {
+        let few = self.triangles.len() <= MOST_OUTLINES;
+        let outlined = |index| few || self.triangle == Some(index);
+        for (triangle, index) in self.triangles.iter().zip(0..).filter(|(_, index)| outlined(*index)) {
             let points = triangle.map(|[x, y, _]| [x, y]);
             let role = if self.triangle == Some(index) { Role::Neutral } else { Role::Candidate };
             let name = &self.names[index as usize];

@@ -7,7 +7,7 @@ mod table;
 
 use crate::{
     document::{Tab, ViewState},
-    face::Face,
+    face::{Command, Face},
     overview::History,
     run::Shown,
     shell::Frame,
@@ -16,6 +16,7 @@ use crate::{
 };
 use egui::{Align2, Rect, Role as Part, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
 use rasterscope_figure::{
+    numbers,
     tables::{self, Run as Piece, TextTable},
     words::Words,
 };
@@ -27,7 +28,7 @@ const MOST_ROWS: usize = 200;
 #[derive(Clone, Debug)]
 pub(crate) struct Digest {
     rev: u64,
-    sentence: String,
+    sentence: Vec<Piece>,
     formulas: Vec<[Vec<Piece>; 2]>,
     tables: Vec<TextTable>,
 }
@@ -46,13 +47,39 @@ impl Digest {
         if kept.as_ref().is_none_or(|old| old.rev != shown.rev) {
             *kept = Some(Self {
                 rev: shown.rev,
-                sentence: words.message(&shown.sentence),
+                sentence: words.runs(&shown.sentence),
                 formulas: shown.formulas.iter().map(|formula| tables::formula(formula, words)).collect(),
                 tables: tables::format(&shown.tables, &shown.before, words),
             });
         }
         kept.as_ref()
     }
+
+    /// The values of the step.
+    pub(crate) fn tables(&self) -> &[TextTable] {
+        &self.tables
+    }
+}
+
+/// Tables as comma-separated lines, every digit of every number.
+pub(crate) fn csv(tables: &[TextTable]) -> String {
+    let field = |text: &str| {
+        let plain = text.replace(numbers::MINUS, "-");
+        if plain.contains([',', '"', '\n']) { format!("\"{}\"", plain.replace('"', "\"\"")) } else { plain }
+    };
+    let mut out = String::new();
+    let mut line = |cells: &mut dyn Iterator<Item = &str>| {
+        out.push_str(&cells.map(field).collect::<Vec<_>>().join(","));
+        out.push('\n');
+    };
+    for table in tables.iter().filter(|table| !table.rows.is_empty()) {
+        line(&mut std::iter::once(&table.title).chain(&table.columns).map(String::as_str));
+        for row in &table.rows {
+            let cells = row.cells.iter().map(|cell| &cell.text);
+            line(&mut std::iter::once(&row.name).chain(cells).map(String::as_str));
+        }
+    }
+    out
 }
 
 /// What the inspector says of the whole scene, where the whole scene is open.
@@ -93,6 +120,12 @@ pub(crate) fn show(
                 (Tab::Step, Some(shown), Some(digest)) => step::show(ui, face, shown, digest),
                 (Tab::Listing, Some(shown), _) => listing::show(ui, face, shown),
                 (Tab::Values, _, Some(digest)) => {
+                    inset(ui, |ui| {
+                        ui.add_space(8.0);
+                        if ui.button(face.say("ui-copy-values")).clicked() {
+                            face.ask(Command::CopyValues);
+                        }
+                    });
                     for (i, one) in digest.tables.iter().enumerate() {
                         table::show(ui, face, one, Some(MOST_ROWS), i == 0);
                     }

@@ -15,10 +15,7 @@ const MOST_ROWS: usize = 9;
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown, digest: &Digest) {
     inset(ui, |ui| {
         ui.add_space(12.0);
-        ui.label(
-            face.rich(&digest.sentence, Text::Sentence)
-                .line_height(Some(face.look.line_height(Text::Sentence))),
-        );
+        sentence(ui, face, &digest.sentence);
         for [general, numbers] in &digest.formulas {
             ui.add_space(6.0);
             formula(ui, face, general, true);
@@ -38,6 +35,20 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown, digest: &Digest)
     }
     part_line(ui, face);
     listing::show(ui, face, shown);
+}
+
+/// What just happened; what it is about is bold.
+fn sentence(ui: &mut Ui, face: &Face<'_>, pieces: &[Piece]) {
+    let look = face.look;
+    let mut job = LayoutJob::default();
+    job.wrap.max_width = ui.available_width();
+    for piece in pieces {
+        let style = if piece.strong { Text::SentenceStrong } else { Text::Sentence };
+        let mut format = TextFormat::simple(look.font(style), look.text);
+        format.line_height = Some(look.line_height(Text::Sentence));
+        job.append(&piece.text, 0.0, format);
+    }
+    ui.label(job);
 }
 
 fn formula(ui: &mut Ui, face: &Face<'_>, pieces: &[Piece], general: bool) {

@@ -1,0 +1,201 @@
+//! Unsaved work: asked for before it is taken away, and kept while the program may end.
+
+use crate::{
+    app::App,
+    document::Document,
+    face::Command,
+    files,
+    platform::Platform,
+    session::{Session, Settings},
+    shell::notice::Notice,
+};
+use egui::{Context, ViewportCommand};
+use rasterscope_core::{
+    message::{Message, Value},
+    scene,
+};
+use std::time::Duration;
+
+/// The work and the settings, as they are.
+const SESSION: &str = "session.json";
+/// Work that was unsaved when a file was opened at the start.
+const ASIDE: &str = "unsaved.json";
+/// How long an edit may wait until it is kept, in seconds.
+const DELAY: f64 = 2.0;
+
+/// What was kept last, and when the next time is due.
+#[derive(Debug, Default)]
+pub(crate) struct Kept {
+    last: Option<(Document, Settings, bool)>,
+    due: Option<f64>,
+    /// Whether it was said that nothing can be kept here.
+    failed: bool,
+    /// The window's title, as last set.
+    title: String,
+}
+
+impl App {
+    /// Brings back what was kept at the last start, and opens a file if there is one.
+    pub fn start(&mut self, ctx: &Context, file: Option<&str>, platform: &mut dyn Platform) {
+        let session = platform.kept(SESSION).and_then(|bytes| Session::from_bytes(&bytes));
+        if let Some(session) = session {
+            session.settings.apply(&mut self.view);
+            self.wear(ctx, self.view.theme);
+            ctx.set_zoom_factor(session.settings.text_size());
+            if file.is_none() {
+                self.take_up(&session, platform);
+            } else if session.modified && platform.keep(ASIDE, &session.to_bytes()).is_err() {
+                // What cannot be set aside stays on the screen.
+                self.take_up(&session, platform);
+                self.notice = file.map(|file| Notice::Unsaved(Box::new(Command::Open(file.to_owned()))));
+                return;
+            }
+        }
+        if let Some(file) = file {
+            self.open(file, platform);
+            // What the window starts with is no edit.
+            self.history = Default::default();
+        }
+        if self.notice.is_none() && self.aside(platform).is_some() {
+            self.notice = Some(Notice::Aside);
+        }
+    }
+
+    fn aside(&self, platform: &mut dyn Platform) -> Option<Session> {
+        platform.kept(ASIDE).and_then(|bytes| Session::from_bytes(&bytes))
+    }
+
+    /// Opens what a session was about.
+    fn take_up(&mut self, session: &Session, platform: &mut dyn Platform) {
+        let (document, step) = match session.document(&mut |file| platform.read(file).ok()) {
+            Ok(opened) => opened,
+            Err(problem) => {
+                self.notice = Some(Notice::Failed(self.words.message(&problem)));
+                return;
+            }
+        };
+        self.preset = None;
+        self.path = session.path.clone();
+        if let Some(name) = &session.preset
+            && let Some(preset) = scene::preset(name)
+            && let Ok(scene) = files::scene(preset.json.as_bytes(), "", &mut |_| None)
+        {
+            self.preset = Some((preset.name, Document::new(scene).scene));
+        }
+        self.take(document, step);
+        self.history = Default::default();
+        self.clean = (!session.modified).then(|| self.document.clone());
+        if session.modified {
+            // The preset is what a reset goes back to.
+            self.clean = self.preset.as_ref().map(|(_, scene)| Document::new(scene.clone()));
+            self.notice = Some(Notice::Back);
+        }
+    }
+
+    /// Brings back the work that was set aside.
+    pub(crate) fn bring_back(&mut self, platform: &mut dyn Platform) {
+        if let Some(session) = self.aside(platform) {
+            self.notice = None;
+            self.take_up(&session, platform);
+            self.forget(platform);
+        }
+    }
+
+    /// Forgets the work that was set aside.
+    pub(crate) fn forget(&mut self, platform: &mut dyn Platform) {
+        // Nothing is lost if that fails: it is offered again.
+        let _ = platform.keep(ASIDE, b"");
+    }
+
+    /// Goes back to the document before the edits.
+    pub(crate) fn reset(&mut self, platform: &mut dyn Platform) {
+        match (self.clean.clone(), self.path.clone()) {
+            (Some(clean), _) => {
+                self.history.begin(&self.document);
+                self.document = clean;
+                self.history.end(&self.document, false);
+            }
+            (None, Some(path)) => self.open(&path, platform),
+            (None, None) => {
+                if let Some(first) = self.presets.first() {
+                    self.open_preset(first.name);
+                }
+            }
+        }
+    }
+
+    /// Whether there are edits that are in no file.
+    pub(crate) fn modified(&self) -> bool {
+        self.clean.as_ref().is_none_or(|clean| !self.document.same_work(clean))
+    }
+
+    /// Asks before the window is closed with unsaved edits.
+    pub(crate) fn closing(&mut self, ctx: &Context) {
+        if ctx.input(|input| input.viewport().close_requested()) && !self.quitting && self.modified() {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            self.notice = Some(Notice::Unsaved(Box::new(Command::Quit)));
+        }
+    }
+
+    /// Closes the window; what is not saved now is not wanted.
+    pub(crate) fn quit(&mut self, ctx: &Context, platform: &mut dyn Platform) {
+        if self.modified() {
+            self.reset(platform);
+        }
+        self.quitting = true;
+        ctx.send_viewport_cmd(ViewportCommand::Close);
+    }
+
+    /// Keeps the work if it has changed and was not kept lately; asks for the frame in which it is
+    /// due.
+    pub(crate) fn autosave(&mut self, ctx: &Context, platform: &mut dyn Platform) {
+        self.title(ctx);
+        let settings = Settings::of(&self.view, ctx.zoom_factor());
+        let modified = self.modified();
+        let same = self.kept.last.as_ref().is_some_and(|(document, with, was)| {
+            *was == modified && *with == settings && *document == self.document
+        });
+        if same {
+            self.kept.due = None;
+            return;
+        }
+        let now = ctx.input(|input| input.time);
+        let due = *self.kept.due.get_or_insert(now + DELAY);
+        if now < due {
+            ctx.request_repaint_after(Duration::from_secs_f64((due - now).max(0.01)));
+            return;
+        }
+        self.keep(ctx, platform);
+    }
+
+    /// Keeps the work at once: before the program ends.
+    pub fn keep(&mut self, ctx: &Context, platform: &mut dyn Platform) {
+        let settings = Settings::of(&self.view, ctx.zoom_factor());
+        let step = self.run.shown().and_then(|shown| (shown.cursor < shown.len).then_some(shown.cursor));
+        let modified = self.modified();
+        let session = Session {
+            path: self.path.clone(),
+            preset: self.preset.as_ref().map(|(name, _)| (*name).to_owned()),
+            modified,
+            ..Session::new(settings.clone(), &self.document, step)
+        };
+        if let Err(error) = platform.keep(SESSION, &session.to_bytes())
+            && !std::mem::replace(&mut self.kept.failed, true)
+        {
+            let message = Message::new("ui-error-keep").with("reason", Value::text(error));
+            self.notice = Some(Notice::Failed(self.words.message(&message)));
+        }
+        self.kept.due = None;
+        self.kept.last = Some((self.document.clone(), settings, modified));
+    }
+
+    /// What is open, in the title of the window; a dot in front of unsaved edits.
+    fn title(&mut self, ctx: &Context) {
+        let mark = if self.modified() { "• " } else { "" };
+        let title = format!("{mark}{} - Rasterscope", self.subtitle());
+        if title != self.kept.title {
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.kept.title = title;
+        }
+    }
+}

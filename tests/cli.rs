@@ -6,6 +6,7 @@ use rasterscope_cli::{
     figure::{FigureOptions, SIZE, figure},
     files::open_scene,
     list::list,
+    tour::{TourOptions, tour},
     trace::{TraceFormat, TraceOptions, trace},
 };
 use rasterscope_core::{labs, scene::PRESETS};
@@ -99,6 +100,7 @@ fn what_cannot_be_traced_is_said_in_a_sentence() {
     let point = file(&folder, "point.json", point);
     for (lab, path, code, part) in [
         ("fly", line.as_path(), 2, "cohen-sutherland"),
+        ("aabb", line.as_path(), 2, "without steps"),
         ("scanline", line.as_path(), 1, "line.json"),
         ("scanline", point.as_path(), 1, "interpolate"),
         ("cohen-sutherland", Path::new(PRESETS[0].name), 1, "cohen-sutherland"),
@@ -112,7 +114,8 @@ fn what_cannot_be_traced_is_said_in_a_sentence() {
 
 fn picture(lab: &str, file: &Path, step: Option<usize>, output: &Path) -> Result<(), Failure> {
     let (lab, file, output) = (lab.to_owned(), file.to_owned(), output.to_owned());
-    figure(&FigureOptions { lab, file, step, size: SIZE, theme: ThemeName::Light, output })
+    let options = FigureOptions { lab, file, step, size: SIZE, theme: ThemeName::Light, output };
+    figure(&options, &mut Vec::new())
 }
 
 #[test]
@@ -145,6 +148,7 @@ fn wrong_use_of_figure_is_told_from_work_that_fails() {
         ("cohen-sutherland", "a.gif", 2),
         ("cohen-sutherland", "a", 2),
         ("cohen-sutherland", "missing/a.svg", 1),
+        ("cohen-sutherland", "line.json/a.svg", 1),
         ("scanline", "a.svg", 1),
     ] {
         let failure = picture(lab, &line, None, &folder.join(output)).expect_err("it fails");
@@ -193,11 +197,12 @@ fn bad_files_give_one_sentence_that_names_the_place() {
     let folder = folder("bad-files");
     let scene = |inside: &str| format!(r#"{{"rasterscope":1,"size":[4,4],"draws":[{inside}]}}"#);
     let long_line = format!("{{\"rasterscope\":1,\"note\":\"{}\"}}", "a".repeat(100 << 20));
+    file(&folder, "short.obj", "v 0 0\n");
     for (name, contents, part) in [
         ("empty.json", Vec::new(), "empty.json"),
         ("binary.bin", vec![0, 159, 146, 150, 0], "binary.bin"),
         ("binary.obj", vec![0, 159, 146, 150, 0], "binary.obj"),
-        ("nan.json", scene(r#"{"vertices":[[0,0,NaN],[1,0,0],[0,1,0]]}"#).into_bytes(), "column"),
+        ("nan.json", scene(r#"{"vertices":[[0,0,NaN],[1,0,0],[0,1,0]]}"#).into_bytes(), "NaN"),
         (
             "huge.json",
             scene(r#"{"vertices":[[0,0,1e39],[1,0,0],[0,1,0]]}"#).into_bytes(),
@@ -208,7 +213,9 @@ fn bad_files_give_one_sentence_that_names_the_place() {
         ("outside.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n".to_vec(), "line 4"),
         ("truncated.obj", b"v 0 0 0\nv 1 0 0\nv 0 1".to_vec(), "line 3"),
         ("letters.obj", b"v 0 0 0\nv 1 x 0\n".to_vec(), "line 2"),
-        ("deep.json", b"[".repeat(100_000), "deep.json"),
+        ("deep.json", b"[".repeat(100_000), "127 levels"),
+        ("fraction.json", scene(r#"{"vertices":[],"indices":[[0,.5,1]]}"#).into_bytes(), "0.5"),
+        ("inside.json", scene(r#"{"model":"short.obj"}"#).into_bytes(), "draws[0].model: short.obj, line 1"),
         ("long.json", long_line.into_bytes(), "long.json"),
         ("request.json", LINE.into(), "compute"),
     ] {
@@ -235,5 +242,93 @@ fn the_list_names_everything_with_a_sentence() {
         let line = text.lines().find(|line| line.trim_start().starts_with(&format!("{name} ")));
         let line = line.unwrap_or_else(|| panic!("{name} is missing"));
         assert!(line.ends_with('.'), "{name} has no sentence: {line}");
+    }
+}
+
+#[test]
+fn the_list_tells_what_can_be_stepped() {
+    let mut out = Vec::new();
+    list(&mut out).expect("it is written");
+    let text = String::from_utf8(out).expect("text");
+    let sections: Vec<&str> = text.split("\n\n").collect();
+    for lab in labs::ALL {
+        assert!(sections[0].contains(&format!("  {} ", lab.name)), "{}", lab.name);
+        assert!(!sections[1].contains(&format!("  {} ", lab.name)), "{}", lab.name);
+    }
+    assert!(sections[1].contains("without steps") && sections[1].contains("  aabb "), "{}", sections[1]);
+}
+
+#[test]
+fn a_step_past_the_end_is_the_end_and_is_noted() {
+    let folder = folder("past-the-end");
+    let line = file(&folder, "line.json", LINE);
+    for (step, noted) in [(Some(99_999), true), (Some(12), false), (None, false)] {
+        let (lab, file, output) = ("cohen-sutherland".into(), line.clone(), folder.join("a.svg"));
+        let mut notes = Vec::new();
+        let options = FigureOptions { lab, file, step, size: SIZE, theme: ThemeName::Light, output };
+        figure(&options, &mut notes).expect("it is drawn");
+        let notes = String::from_utf8(notes).expect("text");
+        assert_eq!((notes.contains("12 steps"), notes.is_empty()), (noted, !noted), "{notes}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_is_replaced_as_its_owner_wants() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = folder("replaced");
+    let line = file(&folder, "line.json", LINE);
+    let mode = |path: &Path| fs::metadata(path).expect("it is there").permissions().mode() & 0o777;
+    let set = |path: &Path, mode| {
+        fs::set_permissions(path, fs::Permissions::from_mode(mode)).expect("it is ours");
+    };
+
+    let locked = file(&folder, "locked.svg", "old");
+    set(&locked, 0o444);
+    let failure = picture("cohen-sutherland", &line, None, &locked).expect_err("it may not be written");
+    assert!(sentence(&failure).contains("read-only"), "{failure}");
+    assert_eq!(fs::read_to_string(&locked).expect("it is there"), "old");
+
+    let private = file(&folder, "private.svg", "old");
+    set(&private, 0o600);
+    let [link, dangling] = ["link.svg", "dangling.svg"].map(|name| folder.join(name));
+    symlink("private.svg", &link).expect("a link can be made");
+    symlink("new.svg", &dangling).expect("a link can be made");
+    for path in [&link, &dangling] {
+        picture("cohen-sutherland", &line, None, path).expect("it is drawn");
+        assert!(path.is_symlink());
+        assert!(fs::read_to_string(path).expect("it is there").starts_with("<svg "));
+    }
+    assert_eq!(mode(&private), 0o600);
+    assert_eq!(fs::read_dir(&folder).expect("it is there").count(), 6, "no part is left behind");
+}
+
+#[test]
+fn what_is_in_the_way_of_output_is_named() {
+    let folder = folder("in-the-way");
+    let line = file(&folder, "line.json", LINE);
+    let missing = folder.join("missing");
+    let failure = picture("cohen-sutherland", &line, None, &missing.join("a.svg")).expect_err("no folder");
+    assert!(sentence(&failure).contains("missing does not exist"), "{failure}");
+    let options = TourOptions { file: None, output: line };
+    let failure = tour(&options, None).expect_err("a file is no folder");
+    assert!(sentence(&failure).contains("in the way"), "{failure}");
+}
+
+#[test]
+fn a_scene_that_leaves_the_range_of_binary32_is_refused_by_name() {
+    let folder = folder("out-of-range");
+    let huge = r#"{"vertices":[[1e20,0,0],[0,1e20,0],[0,0,1e20]],"transform":{"scale":[1,1e30,1]}}"#;
+    let scene = |inside: &str| format!(r#"{{"rasterscope":1,"size":[4,4],{inside}}}"#);
+    for (contents, place) in [
+        (scene(&format!(r#""draws":[{{"vertices":[]}},{huge}]"#)), "draws[1]"),
+        (scene(r#""camera":{"eye":[3e38,3e38,3e38]},"draws":[]"#), "camera"),
+        (scene(r#""camera":{"near":1e-42},"draws":[]"#), "camera"),
+    ] {
+        let failure = open_scene(Some(&file(&folder, "scene.json", contents))).expect_err("out of range");
+        assert!(sentence(&failure).contains(&format!("scene.json: {place}: ")), "{failure}");
+    }
+    for preset in PRESETS {
+        open_scene(Some(Path::new(preset.name))).expect("presets stay in range");
     }
 }

@@ -1,13 +1,12 @@
 //! `compute`: request line in, answer line out.
 
 use crate::support::Random;
-use base64::{Engine, engine::general_purpose::STANDARD};
 use rasterscope_cli::compute::{MOST_BYTES, answer, compute};
 use serde_json::{Value, json};
 use std::io::{Cursor, Read};
 
 /// The answer to one request.
-fn ask(request: &[u8]) -> Value {
+pub(crate) fn ask(request: &[u8]) -> Value {
     let mut out = Vec::new();
     answer(request, &mut out).expect("writing to memory cannot fail");
     let text = String::from_utf8(out).expect("JSON is UTF-8");
@@ -186,29 +185,6 @@ fn triangles_are_clipped_in_clip_space() {
 }
 
 #[test]
-fn scenes_are_rendered_and_no_skip_changes_the_image() {
-    let scene = r#"{"rasterscope":1,"size":[8,6],"depth_format":"unorm16","draws":[
-        {"vertices":[[-2,-1,0],[2,-1,0],[0,2,1]],"color":[1,0.5,0,1]},{"model":"cube.obj"}]}"#;
-    let rendered = |skips: &str| ask(format!(r#"{{"op":"render","scene":{scene}{skips}}}"#).as_bytes());
-    let all = rendered("");
-    assert_eq!(all["size"], json!([8, 6]), "{all}");
-    let bytes = |field: &str| STANDARD.decode(all[field].as_str().expect("base64")).expect("base64").len();
-    let lengths = ["color", "depth", "depth_codes", "stencil"].map(bytes);
-    assert_eq!(lengths, [8 * 6 * 4, 8 * 6 * 4, 8 * 6 * 4, 8 * 6]);
-    assert!(all["stats"].as_object().is_some_and(|stats| !stats.is_empty()));
-    for skips in [r#","skips":"all""#, r#","skips":"none""#, r#","skips":["tile","early-z","memo"]"#] {
-        let other = rendered(skips);
-        for field in ["color", "depth", "depth_codes", "stencil"] {
-            assert_eq!(other[field], all[field], "{skips} {field}");
-        }
-    }
-    let plain = ask(br#"{"op":"render","scene":{"rasterscope":1,"size":[1,1],"draws":[]}}"#);
-    assert!(plain.get("depth_codes").is_none());
-    let depth = STANDARD.decode(plain["depth"].as_str().expect("base64")).expect("base64");
-    assert_eq!(depth, 1.0_f32.to_le_bytes());
-}
-
-#[test]
 fn numbers_are_rounded_to_binary32_on_the_way_in_and_kept_on_the_way_out() {
     let mut random = Random::new(1);
     for _ in 0..2000 {
@@ -281,10 +257,16 @@ fn each_kind_of_bad_input_has_its_code() {
         (r#"{"op":"clip_triangle","depth_range":"none"}"#, "unknown-depth-range"),
         (r#"{"op":"clip_triangle","space":"moon"}"#, "unknown-space"),
         (r#"{"op":"clip_triangle","arithmetic":"f32"}"#, "unsupported"),
+        (r#"{"op":"clip_triangle","arithmetic":"fixed-8"}"#, "unsupported"),
+        (
+            r#"{"op":"clip_line","window":[0,0,1,1],"segment":[0,0,1,1],"arithmetic":"fixed-8"}"#,
+            "unsupported",
+        ),
         (r#"{"op":"render"}"#, "missing-field"),
         (r#"{"op":"render","skips":"some"}"#, "unknown-skip"),
         (r#"{"op":"render","skips":["row","fly"]}"#, "unknown-skip"),
         (r#"{"op":"render","skips":[7]}"#, "bad-field"),
+        (r#"{"op":"render","skips":3}"#, "bad-field"),
         (r#"{"op":"render","arithmetic":"f32"}"#, "unsupported"),
         (r#"{"op":"render","scene":7}"#, "bad-scene"),
         (
@@ -304,6 +286,9 @@ fn messages_say_where() {
         (r#"{"op":"clip_line","window":[0,0,1,1],"segment":[0,0,true,1]}"#, "segment[2]"),
         (r#"{"op":"clip_line","window":[0,0,1,NaN]}"#, "column 35"),
         (r#"{"op":"clip_line","algorithm":"guess"}"#, "cohen-sutherland"),
+        (r#"{"op":"render","skips":3}"#, "\"all\", \"none\""),
+        (r#"{"op":"clip_line","window":[.5,0,1,1]}"#, "0.5"),
+        ("{\"op\":\"\\u001b[31m\"}", "\\u{1b}[31m"),
     ] {
         let answer = ask(request.as_bytes());
         let message = answer["error"]["message"].as_str().expect("a sentence");
@@ -373,5 +358,22 @@ fn garbage_never_costs_more_than_one_error_object() {
         let answer = ask(&line);
         let known = ["error", "visible", "rows", "pixels", "value", "polygon", "color"];
         assert!(known.iter().any(|field| answer.get(field).is_some()), "{answer}");
+    }
+}
+
+#[test]
+fn a_cut_end_on_two_borders_has_the_bits_of_both() {
+    let clip = |segment: &str| {
+        let window = "[-0.0,8388607.5,1.0,8388608.0]";
+        ask(format!(r#"{{"op":"clip_line","window":{window},"segment":{segment}}}"#).as_bytes())
+    };
+    let bits = |answer: &Value, i: usize| answer["segment"][i].as_f64().expect("a number").to_bits();
+    let (there, back) = (clip("[-0.0,8388607.5,-3.375,2.453125]"), clip("[-3.375,2.453125,-0.0,8388607.5]"));
+    for i in [0, 2] {
+        assert_eq!(
+            (bits(&there, i), bits(&back, i)),
+            ((-0.0_f64).to_bits(), (-0.0_f64).to_bits()),
+            "{there}"
+        );
     }
 }

@@ -203,6 +203,17 @@ fn rounded_edges_fail_where_exact_ones_do_not() {
     assert!(wrong.iter().all(|[f32, f64]| f32 > f64 && *f64 > 0), "{wrong:?}");
 }
 
+/// The bounds of a whole row leave a doubt only near an edge, however far away its ends are.
+#[test]
+fn an_enormous_box_is_settled_nearly_without_exact_signs() {
+    let vertices = [[-3.4e38, 3.4e38], [3.4e38, -3.3e38], [3.4e38, -3.4e38]];
+    let settings = Settings { skip_row: false, ..Settings::new([512, 512]) };
+    let mut tally = Tally::default();
+    let spans = rows(Algorithm::Aabb, vertices, &settings, &mut tally);
+    assert_eq!(spans, rows(Algorithm::Scanline, vertices, &settings, &mut Tally::default()));
+    assert!(tally.calls > 512 * 512 && tally.exact < 2_000, "{tally:?}");
+}
+
 /// x grows by 1/10 a row, so that every tenth centre is a tie; adding 1/10 in f32 drifts past it.
 #[test]
 fn slopes_accumulated_over_400_rows_drift() {

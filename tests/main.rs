@@ -11,6 +11,7 @@ mod interpolate;
 mod obj;
 mod pipeline;
 mod presets;
+mod render;
 mod replay;
 mod scanline;
 mod scene;

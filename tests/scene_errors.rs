@@ -48,8 +48,8 @@ fn a_bad_field_is_named_by_its_path() {
         (draw(r#""cull":"both""#), "unknown-name", "draws[1].cull"),
         (draw(r#""blend":{"alpha":{"srcFactor":"two"}}"#), "unknown-name", "draws[1].blend.alpha.srcFactor"),
         (top(r#""rasterscope":2"#), "newer", "rasterscope"),
-        (top(r#""rasterscope":0"#), "range", "rasterscope"),
-        (top(r#""rasterscope":"1""#), "range", "rasterscope"),
+        (top(r#""rasterscope":0"#), "must-be", "rasterscope"),
+        (top(r#""rasterscope":"1""#), "kind", "rasterscope"),
         // Another kind of value.
         (bare(r#""vertices":[[0,"1",0],[1,0,0],[0,1,0]]"#), "kind", "draws[1].vertices[0][1]"),
         (bare(r#""vertices":[[0,null,0],[1,0,0],[0,1,0]]"#), "kind", "draws[1].vertices[0][1]"),
@@ -67,7 +67,7 @@ fn a_bad_field_is_named_by_its_path() {
         (top(r#""camera":{"far":-1e300}"#), "not-finite", "camera.far"),
         (scene(r#""size":[0,4],"draws":[]"#), "range", "size[0]"),
         (scene(r#""size":[4,16385],"draws":[]"#), "range", "size[1]"),
-        (scene(r#""size":[4,-1],"draws":[]"#), "range", "size[1]"),
+        (scene(r#""size":[4,-1],"draws":[]"#), "negative", "size[1]"),
         (scene(r#""size":[16384,16385],"draws":[]"#), "range", "size[1]"),
         (top(r#""clear":{"color":[0,0,1.5,1]}"#), "range", "clear.color[2]"),
         (top(r#""clear":{"depth":-0.25}"#), "range", "clear.depth"),
@@ -75,7 +75,11 @@ fn a_bad_field_is_named_by_its_path() {
         (draw(r#""color":[0,0,0,2]"#), "range", "draws[1].color[3]"),
         (draw(r#""colors":[[0,0,0,0],[0,9,0,0],[0,0,0,0]]"#), "range", "draws[1].colors[1][1]"),
         (bare(r#""model":"cube.obj","color":[-1,0,0,0]"#), "range", "draws[1].color[0]"),
-        (draw(r#""stencil":{"readMask":256}"#), "range", "draws[1].stencil.readMask"),
+        (draw(r#""stencil":{"readMask":4294967296}"#), "range", "draws[1].stencil.readMask"),
+        (draw(r#""indices":[[0,1,-1]]"#), "negative", "draws[1].indices[0][2]"),
+        (draw(r#""indices":[[0,1,0.5]]"#), "kind", "draws[1].indices[0][2]"),
+        (bare(r#""model":"""#), "no-file-name", "draws[1].model"),
+        (bare(r#""model":"a\u0000b""#), "no-file-name", "draws[1].model"),
         (draw(r#""indices":[[0,1,4294967296]]"#), "range", "draws[1].indices[0][2]"),
         (draw(r#""texture":{"kind":"checker","squares":0}"#), "not-positive", "draws[1].texture.squares"),
         (top(r#""samples":4"#), "samples", "samples"),
@@ -124,16 +128,16 @@ fn a_bad_field_is_named_by_its_path() {
         (draw(r#""transform":{"matrix":[1],"scale":[1,1,1]}"#), "length", "draws[1].transform.matrix"),
         (
             draw(r#""transform":{"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],"scale":[1,1,1]}"#),
-            "unknown-field",
+            "both",
             "draws[1].transform.matrix",
         ),
         // Labs.
         (top(r#""lab":{"name":"warnock"}"#), "unknown-name", "lab.name"),
         (top(r#""lab":{"name":"scanline","window":[0,0,1,1]}"#), "unknown-field", "lab.window"),
         (top(r#""lab":{"name":"cohen-sutherland","segment":[0,0,1,1]}"#), "missing", "lab.window"),
-        (top(r#""lab":{"name":"z-buffer","step":-1}"#), "range", "lab.step"),
+        (top(r#""lab":{"name":"z-buffer","step":-1}"#), "negative", "lab.step"),
         (top(r#""lab":{"name":"scanline","algorithm":"tiled"}"#), "unknown-name", "lab.algorithm"),
-        (top(r#""lab":{"name":"transform"}"#), "range", "lab.draw"),
+        (top(r#""lab":{"name":"transform"}"#), "none-there", "lab.draw"),
         (
             top(r#""lab":{"name":"cohen-sutherland","window":[1,0,0,1],"segment":[0,0,1,1]}"#),
             "window-reversed",
@@ -178,25 +182,26 @@ fn an_unknown_lab_is_told_the_known_ones() {
 fn what_is_no_json_is_named_by_line_and_column() {
     let deep = "[".repeat(100_000);
     type Place = Option<(i32, i32)>;
-    let cases: [(&[u8], &str, Place); 13] = [
-        (b"", "empty", None),
-        (b" \n\t ", "empty", None),
-        (b"{\"rasterscope\":1,\n \"size\":[1,1],\n \"draws\":[}", "json", Some((3, 11))),
-        (b"{\"rasterscope\":1,}", "json", Some((1, 18))),
-        (b"{\"rasterscope\":1,\"size\":[NaN,1]}", "json", Some((1, 26))),
-        (b"{\"rasterscope\":1,\"size\":[1e999,1]}", "json", Some((1, 30))),
-        (b"{\"rasterscope\":1,\"siz", "json-ends", Some((1, 21))),
-        (b"{\"rasterscope\":1} x", "json", Some((1, 19))),
-        (deep.as_bytes(), "json", Some((1, 128))),
-        (b"{\"name\":\"\xC3\x28\"}", "not-text", None),
-        (b"\x89PNG\r\n\x1A\n\0\0\0\rIHDR", "not-text", None),
-        (b"{\"a\":1}\0", "not-text", None),
-        (b"\xFF\xFE{\0}\0", "not-text", None),
+    let cases: [(&[u8], &str, Place); 14] = [
+        (b"", "scene-empty", None),
+        (b" \n\t ", "scene-empty", None),
+        (b"{\"rasterscope\":1,\n \"size\":[1,1],\n \"draws\":[}", "scene-json", Some((3, 11))),
+        (b"{\"rasterscope\":1,}", "scene-json", Some((1, 18))),
+        (b"{\"rasterscope\":1,\"size\":[NaN,1]}", "json-nan", Some((1, 26))),
+        (b"{\"rasterscope\":1,\"size\":[.5,1]}", "json-fraction", Some((1, 26))),
+        (b"{\"rasterscope\":1,\"size\":[1e999,1]}", "json-number", Some((1, 30))),
+        (b"{\"rasterscope\":1,\"siz", "scene-json-ends", Some((1, 21))),
+        (b"{\"rasterscope\":1} x", "scene-json", Some((1, 19))),
+        (deep.as_bytes(), "json-too-deep", Some((1, 128))),
+        (b"{\"name\":\"\xC3\x28\"}", "scene-not-text", None),
+        (b"\x89PNG\r\n\x1A\n\0\0\0\rIHDR", "scene-not-text", None),
+        (b"{\"a\":1}\0", "scene-not-text", None),
+        (b"\xFF\xFE{\0}\0", "scene-not-text", None),
     ];
     for (json, problem, place) in cases {
         let message = Scene::from_json(json).expect_err("it is no JSON").message();
         let text = String::from_utf8_lossy(&json[..json.len().min(60)]);
-        assert_eq!(message.id, format!("error-scene-{problem}"), "{text}");
+        assert_eq!(message.id, format!("error-{problem}"), "{text}");
         if let Some((line, column)) = place {
             let found = (arg(&message, "line"), arg(&message, "column"));
             assert_eq!(found, (Some(line.into()), Some(column.into())), "{text}");
@@ -250,7 +255,7 @@ fn a_model_that_cannot_be_loaded_is_named_with_its_file() {
     let message = broken.message();
     assert_eq!(
         (message.id, arg(&message, "file"), arg(&message, "line")),
-        ("error-obj-no-such-index", Some(Value::text("x.obj")), Some(Value::Int(2)))
+        ("error-obj-no-such-index", Some(Value::text("draws[1].model: x.obj")), Some(Value::Int(2)))
     );
     let mut loads = 0;
     let resolved = scene.resolve(&mut |_| {

@@ -10,7 +10,7 @@ mod window;
 
 use arguments::Request;
 use rasterscope_cli::{
-    Failure, compute, figure, list,
+    Failure, compute, figure, files, list,
     tour::{self, TourOptions},
     trace,
 };
@@ -18,7 +18,7 @@ use rasterscope_core::message::{Message, Value};
 use rasterscope_figure::words::Words;
 use std::{
     io::{self, IsTerminal as _, Write},
-    path::PathBuf,
+    path::{Path, PathBuf},
     process::ExitCode,
 };
 
@@ -34,7 +34,7 @@ fn main() -> ExitCode {
         Request::ComputeFile(file) => compute::compute_file(&file, output),
         Request::Compute(lines) => compute::compute(&mut io::stdin().lock(), lines, output),
         Request::Trace(options) => trace::trace(&options, output),
-        Request::Figure(options) => figure::figure(&options),
+        Request::Figure(options) => figure::figure(&options, &mut io::stderr()),
         Request::Tour(options) => write_tour(&options).map(|_| ()),
         Request::List => list::list(output),
     };
@@ -60,6 +60,10 @@ fn write_tour(options: &TourOptions) -> Result<PathBuf, Failure> {
 
 /// Opens the window; without one it says why, and writes the tour instead.
 fn open_window(file: Option<PathBuf>, words: &Words) -> ExitCode {
+    if let Some(name) = file.as_deref().filter(|path| looks_like_a_command(path) && !files::exists(path)) {
+        let message = Message::new("app-no-such-command").with("name", Value::text(name.display()));
+        return finish(Err(Failure::usage(&message)));
+    }
     #[cfg(feature = "gui")]
     let opened = window::open(file.clone());
     #[cfg(not(feature = "gui"))]
@@ -69,6 +73,11 @@ fn open_window(file: Option<PathBuf>, words: &Words) -> ExitCode {
     finish(write_tour(&TourOptions { file, output: TOUR.into() }).map(|path| {
         tell(&words.message(&Message::new("app-tour-instead").with("path", Value::text(path.display()))));
     }))
+}
+
+/// Whether a FILE has neither an ending nor a folder, as no scene and no model does.
+fn looks_like_a_command(path: &Path) -> bool {
+    path.extension().is_none() && path.components().count() == 1
 }
 
 fn tell(sentence: &str) {

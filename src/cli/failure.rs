@@ -21,7 +21,7 @@ impl Failure {
     }
 
     /// The command was used wrongly in the way that `message` names.
-    pub(crate) fn usage(message: &Message) -> Self {
+    pub fn usage(message: &Message) -> Self {
         Self::Usage(say(message))
     }
 
@@ -63,12 +63,13 @@ pub(crate) fn written(result: io::Result<()>) -> Result<(), Failure> {
 /// The operating system's reason, as an argument of a sentence.
 pub(crate) fn reason(error: &io::Error) -> rasterscope_core::message::Value {
     use io::ErrorKind::{
-        FileTooLarge, IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem,
-        StorageFull,
+        AlreadyExists, FileTooLarge, IsADirectory, NotADirectory, NotFound, PermissionDenied,
+        ReadOnlyFilesystem, StorageFull,
     };
     use rasterscope_core::message::Value;
     match error.kind() {
         NotFound => Value::Word("word-does-not-exist"),
+        AlreadyExists => Value::Word("word-is-in-the-way"),
         PermissionDenied => Value::Word("word-no-permission"),
         IsADirectory => Value::Word("word-is-a-folder"),
         NotADirectory => Value::Word("word-is-no-folder"),

@@ -13,13 +13,13 @@ use rasterscope_figure::{
     png, svg,
     theme::{Theme, ThemeName},
 };
-use std::path::PathBuf;
+use std::{io::Write, path::PathBuf};
 
 use crate::{
     Failure, files,
     tour::{image, image_view},
     trace::check_name,
-    words::WORDS,
+    words::{WORDS, say},
 };
 
 /// Width and height in points, unless the options say otherwise: a canvas of 4 to 3.
@@ -48,8 +48,8 @@ pub struct FigureOptions {
     pub output: PathBuf,
 }
 
-/// Draws a step and writes it whole or not at all.
-pub fn figure(options: &FigureOptions) -> Result<(), Failure> {
+/// Draws a step and writes it whole or not at all. `notes` gets a line if there is no such step.
+pub fn figure(options: &FigureOptions, notes: &mut dyn Write) -> Result<(), Failure> {
     check_name(&options.lab)?;
     let ending = options.output.extension().map(std::ffi::OsStr::to_ascii_lowercase);
     let svg_wanted = match ending.as_deref().and_then(|ending| ending.to_str()) {
@@ -74,6 +74,11 @@ pub fn figure(options: &FigureOptions) -> Result<(), Failure> {
         }
         step => {
             let mut run = labs::play(&scene, Budget::default()).map_err(|message| Failure::work(&message))?;
+            if let Some(asked) = step.filter(|step| *step > run.len()) {
+                let note = Message::new("cli-step-past-the-end").with("steps", run.len());
+                // The picture is made, whether or not somebody reads this.
+                let _ = writeln!(notes, "{}", say(&note.with("asked", asked)));
+            }
             run.seek(step.unwrap_or(usize::MAX));
             draw(&*run, size, theme)
         }

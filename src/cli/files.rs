@@ -6,6 +6,7 @@
 use rasterscope_core::{
     labs,
     message::{Message, Value},
+    pipeline::out_of_range,
     scene::{
         Lab, LabInput, MODEL_SIZE, Mesh, PRESETS, Preset, Scene, SceneError, model as built_in_model, preset,
         scene_from_obj,
@@ -14,7 +15,7 @@ use rasterscope_core::{
 use std::{
     fs::{self, File},
     io::{self, Read},
-    path::Path,
+    path::{Path, PathBuf},
 };
 
 use crate::{
@@ -48,15 +49,46 @@ fn name(path: &Path) -> Value {
 }
 
 /// Writes a file whole or not at all; what stood there before stays until the new one is whole.
+///
+/// A symbolic link stays one: what it points to is written. A file keeps its permissions, and one
+/// that may not be written is refused, though its folder would let it be replaced.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let mut part = path.as_os_str().to_owned();
+    let target = followed(path);
+    let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty());
+    if let Some(folder) = folder.filter(|folder| !folder.exists()) {
+        let message = Message::new("error-no-folder").with("file", name(path));
+        return Err(Failure::work(&message.with("folder", name(folder))));
+    }
+    let refuse =
+        |why| Failure::work(&Message::new("error-cannot-write").with("file", name(path)).with("why", why));
+    let old = fs::metadata(&target).ok().map(|old| old.permissions());
+    if old.is_some() {
+        if old.as_ref().is_some_and(fs::Permissions::readonly) {
+            return Err(refuse(Value::Word("word-file-read-only")));
+        }
+        File::options().write(true).open(&target).map_err(|error| refuse(reason(&error)))?;
+    }
+    let mut part = target.clone().into_os_string();
     part.push(format!(".{}.part", std::process::id()));
-    let written = fs::write(&part, bytes).and_then(|()| fs::rename(&part, path));
+    let written = fs::write(&part, bytes)
+        .and_then(|()| old.map_or(Ok(()), |old| fs::set_permissions(&part, old)))
+        .and_then(|()| fs::rename(&part, &target));
     written.map_err(|error| {
         // What cannot be removed was not written either.
         let _ = fs::remove_file(&part);
-        about("error-cannot-write", path, &error)
+        refuse(reason(&error))
     })
+}
+
+/// Where a chain of symbolic links leads, also if nothing is there yet.
+fn followed(path: &Path) -> PathBuf {
+    const MOST_LINKS: usize = 40;
+    let mut path = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        let Ok(next) = fs::read_link(&path) else { break };
+        path = path.parent().unwrap_or(Path::new("")).join(next);
+    }
+    path
 }
 
 /// Makes a folder, and those that it stands in.
@@ -88,7 +120,7 @@ pub(crate) fn open_lab(lab: &str, path: &Path) -> Result<Scene, Failure> {
         Content::Scene(scene) => (scene, false),
         Content::Request(request) => {
             let scene = compute::lab(&request).map_err(|refusal| inside(path, &refusal.message))?;
-            (scene, true)
+            (in_range(path, scene)?, true)
         }
     };
     let input = scene.lab.as_ref().map(|lab| &lab.input);
@@ -160,13 +192,30 @@ fn looks_like_obj(text: &[u8]) -> bool {
 fn model(path: &Path, bytes: &[u8]) -> Result<Content, Failure> {
     let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
     let mesh = Mesh::from_obj(bytes).map_err(|error| Failure::work(&error.named(&file).message()))?;
-    Ok(Content::Scene(scene_from_obj(&file, mesh, MODEL_SIZE)))
+    in_range(path, scene_from_obj(&file, mesh, MODEL_SIZE)).map(Content::Scene)
 }
 
 fn scene(path: &Path, scene: Result<Scene, SceneError>, folder: Option<&Path>) -> Result<Scene, Failure> {
-    scene
+    let scene = scene
         .and_then(|scene| scene.resolve(&mut |file| load_model(file, folder)))
-        .map_err(|error| inside(path, &error.message()))
+        .map_err(|error| inside(path, &error.message()))?;
+    in_range(path, scene)
+}
+
+/// Refuses a scene whose picture would be that of another one.
+fn in_range(path: &Path, scene: Scene) -> Result<Scene, Failure> {
+    match out_of_range(&scene) {
+        Some(problem) => Err(inside(path, &problem)),
+        None => Ok(scene),
+    }
+}
+
+/// Whether a FILE is there: on the disk, or built in.
+pub fn exists(path: &Path) -> bool {
+    let name = path.to_str().unwrap_or_default();
+    path.exists()
+        || preset(name.strip_suffix(".json").unwrap_or(name)).is_some()
+        || built_in_model(name).is_some()
 }
 
 /// A sentence about what stands in a file, with the file's name before it.
@@ -177,6 +226,9 @@ fn inside(path: &Path, problem: &Message) -> Failure {
 
 /// The bytes of a model that a scene names: from the scene's folder, the current directory, or
 /// among the built-in ones.
+///
+/// An absolute path and `..` are allowed, as they are on the command line: whoever runs a scene can
+/// read the file anyway. Of a file that is no model, an error shows its line and 20 characters at most.
 pub(crate) fn load_model(file: &str, folder: Option<&Path>) -> Result<Vec<u8>, String> {
     let mut problem = io::Error::from(io::ErrorKind::NotFound);
     for folder in folder.into_iter().chain([Path::new("")]) {

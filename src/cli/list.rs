@@ -12,13 +12,17 @@ pub fn list(output: &mut dyn Write) -> Result<(), Failure> {
 
 fn write(output: &mut dyn Write) -> io::Result<()> {
     let about = |name: &'static str| (name, words::of(&format!("{name}-about")));
-    let lines = clip::line::Algorithm::ALL.map(clip::line::Algorithm::name);
-    let rasters = raster::Algorithm::ALL.map(raster::Algorithm::name);
-    let steps = ["transform", "z-buffer"];
     let presets = PRESETS.iter().map(|preset| (preset.name, words::of(&format!("preset-{}", preset.name))));
     section(output, "cli-labs", labs::ALL.map(|lab| about(lab.name)))?;
-    section(output, "cli-algorithms", lines.into_iter().chain(rasters).chain(steps).map(about))?;
+    section(output, "cli-algorithms", without_steps().map(about))?;
     section(output, "cli-presets", presets)
+}
+
+/// The algorithms that can be computed with, but not stepped.
+pub(crate) fn without_steps() -> impl Iterator<Item = &'static str> {
+    let lines = clip::line::Algorithm::ALL.map(clip::line::Algorithm::name);
+    let rasters = raster::Algorithm::ALL.map(raster::Algorithm::name);
+    lines.into_iter().chain(rasters).filter(|name| labs::find(name).is_none())
 }
 
 /// A heading, and below it names with their sentences in two columns.

@@ -21,6 +21,7 @@ use crate::{
     Failure,
     failure::written,
     files,
+    list::without_steps,
     words::{WORDS, say},
 };
 
@@ -80,7 +81,9 @@ pub(crate) fn check_name(lab: &str) -> Result<(), Failure> {
         return Ok(());
     }
     let known: Vec<_> = labs::ALL.iter().map(|lab| lab.name).collect();
-    let message = Message::new("error-unknown-lab").with("lab", Value::text(lab));
+    let stepless = without_steps().any(|name| name == lab);
+    let id = if stepless { "error-algorithm-without-steps" } else { "error-unknown-lab" };
+    let message = Message::new(id).with("lab", Value::text(lab));
     Err(Failure::usage(&message.with("known", Value::text(known.join(", ")))))
 }
 

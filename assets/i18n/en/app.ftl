@@ -25,3 +25,4 @@ app-no-gui = This program was built without its window.
 app-no-window = The window cannot be opened: { $reason }.
 app-missing-library = The window cannot be opened: a system library is missing. On Debian and Ubuntu, `sudo apt install { $package }` installs it.
 app-tour-instead = The tour of the scene was written instead: { $path }.
+app-no-such-command = { $name } is neither a command nor a file. "rasterscope --help" lists the commands, "rasterscope list" the presets.

@@ -19,5 +19,5 @@ error-no-lab = The scene names no lab: choose one, or add a "lab" to the scene f
 error-window = The window is not one: each minimum must be at most its maximum.
 error-nothing-to-step = Nothing to step: the scene gives the lab { $lab } no triangle. Add one, or choose a preset.
 error-mixed-depth-states = The scene's draws have different depth states, so they cannot be stepped as one z-buffer. Give all draws the same "depth".
-error-steps-without-stencil = Stepping the whole scene shows the depth test alone, and this scene also uses stencil or blending. Click a pixel to see what happened to it.
-error-too-large-to-step = This scene is too large to step as a whole (more than { $most } × { $most } pixels). Click a pixel to see what happened to it, or choose a lab.
+error-steps-without-stencil = Stepping the whole scene shows the depth test alone, and this scene also uses stencil or blending. What happened to a pixel, the window tells at a click on it.
+error-too-large-to-step = This scene is too large to step as a whole (more than { $most } × { $most } pixels). Choose a lab; what happened to a pixel, the window tells at a click on it.

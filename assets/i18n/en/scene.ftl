@@ -13,6 +13,7 @@ error-scene-kind-null = nothing (null)
 error-scene-kind-bool = true or false
 error-scene-kind-number = a number
 error-scene-kind-whole-number = a whole number
+error-scene-kind-fraction = one with a fraction
 error-scene-kind-text = a text in quotes
 error-scene-kind-list = a list
 error-scene-kind-object = an object
@@ -24,6 +25,8 @@ error-scene-both = { $path }: this field and "{ $other }" exclude each other. Re
 error-scene-not-a-scene = This JSON is no scene: it must be an object with "rasterscope": 1.
 error-scene-newer = { $path }: the scene has version { $version }, made by a newer Rasterscope. This one reads versions up to { $known }.
 error-scene-not-finite = { $path }: the number must be finite as a 32-bit float, at most about 3.4e38.
+error-scene-negative = { $path }: the number must be 0 or more.
+error-scene-must-be = { $path }: the number must be { $value }.
 error-scene-range = { $path }: the number must be from { $min } to { $max }.
 error-scene-not-positive = { $path }: the number must be more than 0.
 error-scene-field-of-view = { $path }: the angle must be more than 0 and less than 180 degrees.
@@ -37,6 +40,10 @@ error-scene-no-such-vertex = { $path }: there is no vertex { $index }; the { $ve
 error-scene-not-one-each = { $path }: there must be one for each of the { $vertices } vertices, not { $found }.
 error-scene-no-texture-coordinates = { $path }: a texture needs texture coordinates, and this mesh has none. Add "uvs" or remove the texture.
 error-scene-window-reversed = { $path }: the window is [xmin, ymin, xmax, ymax], and no minimum may exceed its maximum.
+error-scene-none-there = { $path }: there is none to choose from. Add one, or remove the lab.
+error-scene-no-file-name = { $path }: this is no file name. Write the name of an OBJ file, such as "cube.obj".
+error-scene-draw-out-of-range = { $path }: its vertices leave the range of 32-bit floats (about 3.4e38) when transformed. Scale it down.
+error-scene-camera-out-of-range = { $path }: its matrices leave the range of 32-bit floats (about 3.4e38). Move it nearer, or make near, far, height and angle less extreme.
 error-scene-other = { $path }: this value cannot be used ({ $what }).
 error-scene-unreadable = { $path }: the model { $file } cannot be read ({ $reason }). Put it beside the scene or name a model that comes with the program.
 
@@ -45,9 +52,13 @@ error-scene-unreadable = { $path }: the model { $file } cannot be read ({ $reaso
 error-obj-empty = { $file }: the file is empty.
 error-obj-binary = { $file }, line { $line }: this is a binary file, not OBJ. Export the model as Wavefront OBJ.
 error-obj-line-too-long = { $file }, line { $line }: the line has { $bytes } bytes; at most { $limit } are possible. The file may be damaged.
-error-obj-number = { $file }, line { $line }: "{ $word }" is no number.
-error-obj-not-finite = { $file }, line { $line }: "{ $word }" is not finite as a 32-bit float.
-error-obj-count = { $file }, line { $line }: "{ $keyword }" takes { $wanted } numbers; here are { $found }. The line may have been cut off.
+error-obj-number = { $file }, line { $line }: "{ $word }" is no number. Write one such as 1.5 or -2e3.
+error-obj-not-finite = { $file }, line { $line }: "{ $word }" is not finite as a 32-bit float. Write a number of at most about 3.4e38.
+error-obj-count = { $file }, line { $line }: "{ $keyword }" takes { $keyword ->
+    [v] 3, 4 or 6
+    [vt] 2 or 3
+   *[vn] 3
+} numbers; here are { $found }. The line may have been cut off.
 error-obj-zero-weight = { $file }, line { $line }: the fourth number divides the other three, so it must not be 0.
 error-obj-color = { $file }, line { $line }: the colour { $word } must be from 0 to 1.
 error-obj-some-colors = { $file }, line { $line }: some vertices have a colour and some have none. Give one to all or to none.

@@ -29,7 +29,7 @@ impl Input {
         Ok(Self {
             window: request.required("window")?.numbers()?,
             segment: request.required("segment")?.numbers()?,
-            arithmetic: request.arithmetic()?,
+            arithmetic: request.arithmetic_of(&[Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64])?,
         })
     }
 

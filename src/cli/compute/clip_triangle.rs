@@ -19,10 +19,7 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
     request.choice(("space", "unknown-space"), &["clip"], |space| space, &["camera", "ndc"])?;
     let ranges = ("depth_range", "unknown-depth-range");
     let range = request.choice(ranges, &DepthRange::ALL, DepthRange::name, &[])?.unwrap_or_default();
-    let arithmetic = request.arithmetic()?;
-    if matches!(arithmetic, Arithmetic::F32 | Arithmetic::F64) {
-        return Err(Refusal::unsupported("arithmetic", arithmetic.name()));
-    }
+    request.arithmetic_of(&[Arithmetic::Exact])?;
     let vertices = request.vertices::<4>()?;
     let polygon = clip_triangle(vertices, range, PlaneSet::All, &mut Tally::default());
     Ok(Answer { polygon: polygon.corners().iter().map(|corner| wide(corner.position)).collect() })

@@ -31,11 +31,8 @@ pub(super) fn conventions(request: &Request) -> Result<(Algorithm, Settings), Re
 
 /// The conventions of a request that is to be stepped, which is done in exact arithmetic.
 pub(super) fn steppable(request: &Request) -> Result<Settings, Refusal> {
-    let (_, settings) = conventions(request)?;
-    match settings.arithmetic {
-        Arithmetic::Exact => Ok(settings),
-        other => Err(Refusal::unsupported("arithmetic", other.name())),
-    }
+    request.arithmetic_of(&[Arithmetic::Exact])?;
+    conventions(request).map(|(_, settings)| settings)
 }
 
 fn axis_name(axis: YAxis) -> &'static str {

@@ -2,6 +2,7 @@
 
 use base64::{Engine, engine::general_purpose::STANDARD};
 use rasterscope_core::{
+    math::Arithmetic,
     message::Message,
     pipeline::{self, Frame, Skip, Skips, Stats},
     scene::{Scene, SceneError},
@@ -35,12 +36,12 @@ impl Serialize for Base64 {
 
 pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
     let skips = skips(request)?;
-    let arithmetic = request.arithmetic()?;
-    if arithmetic != rasterscope_core::math::Arithmetic::Exact {
-        return Err(Refusal::unsupported("arithmetic", arithmetic.name()));
+    request.arithmetic_of(&[Arithmetic::Exact])?;
+    let scene = scene(request)?;
+    if let Some(message) = pipeline::out_of_range(&scene) {
+        return Err(Refusal::new("overflow", message));
     }
-    let Frame { size, color, depth, depth_codes, stencil, stats } =
-        pipeline::render(&scene(request)?, &skips);
+    let Frame { size, color, depth, depth_codes, stencil, stats } = pipeline::render(&scene, &skips);
     Ok(Answer {
         size,
         color: Base64(color),
@@ -75,6 +76,9 @@ fn skips(request: &Request) -> Result<Skips, Refusal> {
         Some("none") => return Ok(Skips::NONE),
         Some(name) => return Err(unknown(name)),
         None => {}
+    }
+    if !field.value.is_array() {
+        return Err(field.bad("error-not-skips"));
     }
     let names = field.items()?.map(|item| item.text()).collect::<Result<Vec<_>, _>>()?;
     Skips::from_names(names).map_err(unknown)

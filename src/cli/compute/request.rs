@@ -1,7 +1,11 @@
 //! Reading a request: JSON first, then field by field, so that an error names the bad field.
 
-use rasterscope_core::{math::Arithmetic, message::Message};
-use serde_json::{Map, Value, error::Category};
+use rasterscope_core::{
+    math::Arithmetic,
+    message::Message,
+    scene::{JsonError, JsonFault},
+};
+use serde_json::{Map, Value};
 
 use super::refusal::{Refusal, text};
 
@@ -69,6 +73,16 @@ impl Request {
     pub(crate) fn arithmetic(&self) -> Result<Arithmetic, Refusal> {
         let names = ("arithmetic", "unknown-arithmetic");
         Ok(self.choice(names, &Arithmetic::ALL, Arithmetic::name, &[])?.unwrap_or_default())
+    }
+
+    /// The same, of an operation that has only `these` arithmetics.
+    pub(crate) fn arithmetic_of(&self, these: &[Arithmetic]) -> Result<Arithmetic, Refusal> {
+        let arithmetic = self.arithmetic()?;
+        if these.contains(&arithmetic) {
+            Ok(arithmetic)
+        } else {
+            Err(Refusal::unsupported("arithmetic", arithmetic.name()))
+        }
     }
 
     /// Width and height of an image: each in 1..=16384, together at most 2^28 pixels.
@@ -162,19 +176,16 @@ pub(super) fn shortened(name: &str) -> String {
 
 /// What is wrong with a text that is not JSON, and where.
 fn not_json(json: &str, error: &serde_json::Error) -> Refusal {
-    let rest = json.lines().nth(error.line().saturating_sub(1)).unwrap_or_default();
-    let rest = rest.get(error.column().saturating_sub(1)..).unwrap_or_default();
-    let said = error.to_string();
-    let (code, id) = if said.starts_with("recursion limit") {
-        ("too-deep", "error-json-too-deep")
-    } else if said.starts_with("number out of range") {
-        ("not-finite", "error-json-number")
-    } else if ["NaN", "nan", "Inf", "inf"].iter().any(|name| rest.starts_with(name)) {
-        ("not-finite", "error-json-nan")
-    } else if error.classify() == Category::Eof {
-        ("malformed", "error-json-ends")
-    } else {
-        ("malformed", "error-json")
+    let problem = JsonError::new(json, error);
+    let code = match problem.fault {
+        JsonFault::TooDeep => "too-deep",
+        JsonFault::TooLarge | JsonFault::NotANumber => "not-finite",
+        JsonFault::BareFraction | JsonFault::Ends | JsonFault::Syntax(_) => "malformed",
     };
-    Refusal::new(code, Message::new(id).with("line", error.line()).with("column", error.column()))
+    let message = match problem.fault {
+        JsonFault::Ends => problem.at("error-json-ends"),
+        JsonFault::Syntax(_) => problem.at("error-json"),
+        _ => problem.message(),
+    };
+    Refusal::new(code, message)
 }

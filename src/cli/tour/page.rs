@@ -10,7 +10,7 @@ use std::fmt::Write;
 
 use crate::words::WORDS;
 
-/// Text as it stands in HTML, also inside quotes.
+/// Text as it stands in HTML, also inside quotes; without control characters, which HTML has none of.
 pub(super) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -19,6 +19,7 @@ pub(super) fn escape(text: &str) -> String {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
+            c if c.is_control() => out.push(char::REPLACEMENT_CHARACTER),
             c => out.push(c),
         }
     }

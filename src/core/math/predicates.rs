@@ -22,7 +22,7 @@ const ORIENT2D_FILTER: f64 = 3.330_669_062_177_372_2e-16;
 ///
 /// That sum and its product with this constant go through at most five more roundings, and
 /// (4u + 32u^2) (1 - u)^5 > 4u + 7u^2: the computed bound holds as it is.
-const FOUR_ROUNDINGS: f64 = 4.0 * UNIT_ROUNDOFF * (1.0 + 8.0 * UNIT_ROUNDOFF);
+pub(crate) const FOUR_ROUNDINGS: f64 = 4.0 * UNIT_ROUNDOFF * (1.0 + 8.0 * UNIT_ROUNDOFF);
 
 /// Decides on which side of the directed line from `a` to `b` the point `c` lies: the exact sign of
 /// `(b - a) x (c - a) = (bx - ax) (cy - ay) - (by - ay) (cx - ax)`.

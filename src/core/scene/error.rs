@@ -1,6 +1,6 @@
 //! What can be wrong with a scene file, and where.
 
-use super::obj::ObjError;
+use super::{json::JsonError, obj::ObjError};
 use crate::message::{Message, Value};
 use std::fmt;
 
@@ -22,21 +22,7 @@ pub enum SceneError {
         limit: usize,
     },
     /// Not JSON.
-    Json {
-        /// Counted from 1.
-        line: usize,
-        /// Counted from 1.
-        column: usize,
-        /// The parser's own words.
-        what: String,
-    },
-    /// JSON that stops in the middle.
-    JsonEnds {
-        /// Counted from 1.
-        line: usize,
-        /// Counted from 1.
-        column: usize,
-    },
+    Json(JsonError),
     /// JSON, but not a scene that makes sense.
     Field {
         /// Such as `draws[2].vertices[0][1]`; empty for the whole document.
@@ -103,12 +89,14 @@ pub enum Problem {
     /// Written by a newer program.
     Newer {
         /// Its version.
-        version: u64,
+        version: u32,
         /// The newest version that can be read.
         known: u32,
     },
     /// NaN, or infinite as a binary32 number.
     NotFinite,
+    /// Less than zero, where things are counted.
+    Negative,
     /// Outside its range, both ends of which are allowed.
     Range {
         /// Least.
@@ -154,6 +142,10 @@ pub enum Problem {
     },
     /// A texture needs texture coordinates.
     NoTextureCoordinates,
+    /// A choice among none.
+    NoneThere,
+    /// A model's name that can be no file: empty, or with a zero character.
+    NoFileName,
     /// The window's minimum exceeds its maximum.
     WindowReversed,
     /// Anything else, in the words of a library.
@@ -168,6 +160,7 @@ pub enum Kind {
     Bool,
     Number,
     WholeNumber,
+    Fraction,
     Text,
     List,
     Object,
@@ -181,6 +174,7 @@ impl Kind {
             Self::Bool => "error-scene-kind-bool",
             Self::Number => "error-scene-kind-number",
             Self::WholeNumber => "error-scene-kind-whole-number",
+            Self::Fraction => "error-scene-kind-fraction",
             Self::Text => "error-scene-kind-text",
             Self::List => "error-scene-kind-list",
             Self::Object => "error-scene-kind-object",
@@ -197,19 +191,13 @@ impl SceneError {
             Self::TooLarge { bytes, limit } => {
                 Message::new("error-scene-too-large").with("bytes", *bytes).with("limit", *limit)
             }
-            Self::Json { line, column, what } => Message::new("error-scene-json")
-                .with("line", *line)
-                .with("column", *column)
-                .with("what", Value::text(what)),
-            Self::JsonEnds { line, column } => {
-                Message::new("error-scene-json-ends").with("line", *line).with("column", *column)
-            }
+            Self::Json(error) => error.message(),
             Self::Field { path, problem } => problem.message().with("path", Value::text(path)),
             Self::Unreadable { path, file, reason } => Message::new("error-scene-unreadable")
                 .with("path", Value::text(path))
                 .with("file", Value::text(file))
                 .with("reason", Value::text(reason)),
-            Self::Model { error, .. } => error.message(),
+            Self::Model { path, error } => error.clone().named(&format!("{path}: {}", error.file)).message(),
         }
     }
 }
@@ -236,7 +224,13 @@ impl Problem {
                 Message::new("error-scene-newer").with("version", Value::text(version)).with("known", *known)
             }
             Self::NotFinite => Message::new("error-scene-not-finite"),
-            Self::Range { min, max } => Message::new("error-scene-range").with("min", *min).with("max", *max),
+            Self::Negative => Message::new("error-scene-negative"),
+            Self::Range { min, max } if min == max => {
+                Message::new("error-scene-must-be").with("value", limit(*min))
+            }
+            Self::Range { min, max } => {
+                Message::new("error-scene-range").with("min", limit(*min)).with("max", limit(*max))
+            }
             Self::NotPositive => Message::new("error-scene-not-positive"),
             Self::FieldOfView => Message::new("error-scene-field-of-view"),
             Self::FarBeforeNear => Message::new("error-scene-far-before-near"),
@@ -254,16 +248,28 @@ impl Problem {
                 Message::new("error-scene-not-one-each").with("found", *found).with("vertices", *vertices)
             }
             Self::NoTextureCoordinates => Message::new("error-scene-no-texture-coordinates"),
+            Self::NoneThere => Message::new("error-scene-none-there"),
+            Self::NoFileName => Message::new("error-scene-no-file-name"),
             Self::WindowReversed => Message::new("error-scene-window-reversed"),
             Self::Other(what) => Message::new("error-scene-other").with("what", Value::text(what)),
         }
     }
 }
 
-/// The beginning of a name or word of a file, for a message: a hostile one may be megabytes long.
+/// An end of a range; a whole one with all its digits.
+fn limit(value: f64) -> Value {
+    const EXACT: f64 = 9_007_199_254_740_992.0; // 2^53
+    if value.fract() == 0.0 && value.abs() < EXACT { Value::Int(value as i64) } else { Value::F64(value) }
+}
+
+/// The beginning of a name of a scene file, for a message: a hostile one may be megabytes long.
 pub(super) fn shortened(text: &str) -> String {
-    const MOST: usize = 40;
-    match text.char_indices().nth(MOST) {
+    beginning(text, 40)
+}
+
+/// The first characters of a text, `most` at most.
+pub(super) fn beginning(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text.into(),
     }

@@ -3,13 +3,14 @@
 use super::{
     document::{Geometry, Mesh, Scene},
     error::{Problem, SceneError},
+    json::JsonError,
     layout::lay_out,
     path::FieldError,
     read::read,
     wire::SceneWire,
 };
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error as _};
-use serde_json::{Value, error::Category};
+use serde_json::Value;
 use std::sync::Arc;
 
 /// Largest scene file in bytes: some hundred thousand vertices, and memory for them in reason.
@@ -34,13 +35,8 @@ impl Scene {
         if let Some(zero) = text.find('\0') {
             return Err(not_text(bytes, zero));
         }
-        let value = serde_json::from_str(text).map_err(|error| {
-            let (line, column) = (error.line(), error.column());
-            match error.classify() {
-                Category::Eof => SceneError::JsonEnds { line, column },
-                _ => SceneError::Json { line, column, what: without_place(&error) },
-            }
-        })?;
+        let value =
+            serde_json::from_str(text).map_err(|error| SceneError::Json(JsonError::new(text, &error)))?;
         Self::from_value(value)
     }
 
@@ -117,9 +113,9 @@ fn check_version(value: &Value) -> Result<(), FieldError> {
     let Value::Object(fields) = value else { return Err(FieldError::here(Problem::NotAScene)) };
     match fields.get("rasterscope") {
         None => Err(FieldError::here(Problem::NotAScene)),
-        Some(version) => match version.as_u64() {
-            Some(version) if version == u64::from(Scene::VERSION) => Ok(()),
-            Some(version) if version > u64::from(Scene::VERSION) => {
+        Some(version) => match read::<u32>(version).map_err(|error| error.within("rasterscope"))? {
+            Scene::VERSION => Ok(()),
+            version if version > Scene::VERSION => {
                 Err(FieldError::at("rasterscope", Problem::Newer { version, known: Scene::VERSION }))
             }
             _ => {
@@ -132,13 +128,4 @@ fn check_version(value: &Value) -> Result<(), FieldError> {
 
 fn not_text(bytes: &[u8], at: usize) -> SceneError {
     SceneError::NotText { line: 1 + bytes[..at].iter().filter(|byte| **byte == b'\n').count() }
-}
-
-/// serde_json appends the place, which is told separately.
-fn without_place(error: &serde_json::Error) -> String {
-    let what = error.to_string();
-    match what.rfind(" at line ") {
-        Some(end) => what[..end].to_owned(),
-        None => what,
-    }
 }

@@ -9,6 +9,7 @@ mod document;
 mod error;
 mod file;
 mod fit;
+mod json;
 mod layout;
 mod obj;
 mod path;
@@ -23,5 +24,6 @@ pub use document::{
 pub use error::{Kind, Problem, SceneError};
 pub use file::MAX_SCENE_BYTES;
 pub use fit::{MODEL_SIZE, scene_from_obj};
+pub use json::{JsonError, JsonFault};
 pub use obj::{ObjError, ObjProblem};
 pub use validate::{MAX_PIXELS, MAX_SIDE};

@@ -39,14 +39,17 @@ impl<'a> Reader<'a> {
         Err(FieldError::here(Problem::Kind { wanted, found: kind(self.0) }))
     }
 
+    /// A whole number, also if it is written `3.0`.
     fn whole(&self, max: u64) -> Result<u64, FieldError> {
-        match self.0.as_u64() {
-            Some(n) if n <= max => Ok(n),
-            #[expect(clippy::cast_precision_loss, reason = "a limit to be shown")]
-            _ if self.0.is_i64() || self.0.is_u64() => {
-                Err(FieldError::here(Problem::Range { min: 0.0, max: max as f64 }))
+        let Value::Number(number) = self.0 else { return self.wrong(Kind::WholeNumber) };
+        #[expect(clippy::cast_precision_loss, reason = "every limit is exact")]
+        match number.as_f64() {
+            Some(x) if x.fract() != 0.0 => {
+                Err(FieldError::here(Problem::Kind { wanted: Kind::WholeNumber, found: Kind::Fraction }))
             }
-            _ => self.wrong(Kind::WholeNumber),
+            Some(x) if x < 0.0 => Err(FieldError::here(Problem::Negative)),
+            Some(x) if x <= max as f64 => Ok(x as u64),
+            _ => Err(FieldError::here(Problem::Range { min: 0.0, max: max as f64 })),
         }
     }
 

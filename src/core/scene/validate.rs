@@ -79,10 +79,10 @@ impl Scene {
                 Ok(())
             }
             LabInput::Transform { draw, vertex } => {
-                let range = |count: usize| {
-                    #[expect(clippy::cast_precision_loss, reason = "a limit to be shown")]
-                    let max = count.saturating_sub(1) as f64;
-                    Problem::Range { min: 0.0, max }
+                #[expect(clippy::cast_precision_loss, reason = "a limit to be shown")]
+                let range = |count: usize| match count {
+                    0 => Problem::NoneThere,
+                    _ => Problem::Range { min: 0.0, max: (count - 1) as f64 },
                 };
                 let Some(chosen) = self.draws.get(*draw) else {
                     return Err(FieldError::at("draw", range(self.draws.len())));
@@ -171,7 +171,8 @@ fn scaled(vector: [f64; 3]) -> [f64; 3] {
 fn draw(draw: &Draw) -> Checked {
     match &draw.geometry {
         Geometry::Mesh(mesh) => check_mesh(mesh)?,
-        Geometry::Model { color, .. } => {
+        Geometry::Model { file, color, .. } => {
+            refuse_if(file.is_empty() || file.contains('\0'), "model", Problem::NoFileName)?;
             if let Some(color) = color {
                 each_in_unit(color).map_err(|e| e.within("color"))?;
             }

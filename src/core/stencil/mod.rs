@@ -5,7 +5,7 @@ mod operations;
 pub use operations::StencilOutcome;
 
 use crate::depth::CompareFunction;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// What happens to the stored stencil value (WebGPU's names).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -36,11 +36,19 @@ pub struct StencilState {
     /// When both pass.
     pub pass_op: StencilOperation,
     /// Bits compared.
+    #[serde(deserialize_with = "low_bits")]
     pub read_mask: u8,
     /// Bits changed.
+    #[serde(deserialize_with = "low_bits")]
     pub write_mask: u8,
     /// The draw's own value.
+    #[serde(deserialize_with = "low_bits")]
     pub reference: u8,
+}
+
+/// WebGPU's numbers have 32 bits, of which a stencil of 8 bits uses the lowest.
+fn low_bits<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u8, D::Error> {
+    u32::deserialize(deserializer).map(|bits| bits as u8)
 }
 
 impl Default for StencilState {

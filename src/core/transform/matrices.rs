@@ -20,7 +20,8 @@ pub const IDENTITY: Matrix = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 
 
 /// Rounds to the nearest binary32; what is too large becomes the largest number with its sign.
 ///
-/// So a chain of products of finite numbers stays finite, and rounding stays monotone.
+/// So a chain of products of finite numbers stays finite, and rounding stays monotone. Whether it
+/// happened, [`pipeline::out_of_range`](crate::pipeline::out_of_range) tells.
 #[inline]
 pub fn round_once(value: f64) -> f32 {
     value.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) as f32
@@ -31,8 +32,32 @@ pub fn round_once(value: f64) -> f32 {
 /// The four products are exact in binary64; three additions and the end are rounded.
 #[inline]
 pub fn row_times(matrix: &Matrix, i: usize, v: [f32; 4]) -> f32 {
+    round_once(row_sum(matrix, i, v))
+}
+
+#[inline]
+fn row_sum(matrix: &Matrix, i: usize, v: [f32; 4]) -> f64 {
     let product = |j: usize| f64::from(matrix[4 * j + i]) * f64::from(v[j]);
-    round_once(product(0) + product(1) + product(2) + product(3))
+    product(0) + product(1) + product(2) + product(3)
+}
+
+/// Whether a component of [`apply`] is too large for binary32.
+pub fn product_leaves_range(matrix: &Matrix, v: [f32; 4]) -> bool {
+    (0..4).any(|i| leaves_range(row_sum(matrix, i, v)))
+}
+
+fn leaves_range(value: f64) -> bool {
+    (value as f32).is_infinite()
+}
+
+/// Whether [`view`], [`projection`] or the 1/w of a point on the near plane is too large for binary32.
+///
+/// Arguments as for [`projection`].
+pub fn camera_leaves_range(camera: &Camera, aspect: f64, range: DepthRange, reversed: bool) -> bool {
+    let matrices = [wide_view(camera), wide_projection(camera, aspect, range, reversed)];
+    let perspective = matches!(camera.projection, Projection::Perspective { .. });
+    matrices.iter().flat_map(DMat4::to_cols_array).any(leaves_range)
+        || perspective && leaves_range(1.0 / f64::from(camera.near))
 }
 
 /// `matrix` times the column `v`. Finite for finite input.
@@ -67,19 +92,22 @@ pub fn model(translate: [f32; 3], rotate_degrees: [f32; 3], scale: [f32; 3]) -> 
 /// If the target is the eye the camera looks along -z of the world; if `up` is parallel to the line of
 /// sight, the world axis that is farthest from it takes its place.
 pub fn view(camera: &Camera) -> Matrix {
+    rounded(&wide_view(camera))
+}
+
+fn wide_view(camera: &Camera) -> DMat4 {
     let (eye, target, up) = (wide(camera.eye), wide(camera.target), wide(camera.up));
     let forward = unit(target - eye).unwrap_or(DVec3::NEG_Z);
     let side = forward.cross(unit(up).unwrap_or(forward));
     let right =
         if side.length() > PARALLEL { side } else { forward.cross(farthest_axis(forward)) }.normalize();
     let up = right.cross(forward);
-    let matrix = DMat4::from_cols(
+    DMat4::from_cols(
         dvec4(right.x, up.x, -forward.x, 0.0),
         dvec4(right.y, up.y, -forward.y, 0.0),
         dvec4(right.z, up.z, -forward.z, 0.0),
         dvec4(-right.dot(eye), -up.dot(eye), forward.dot(eye), 1.0),
-    );
-    rounded(&matrix)
+    )
 }
 
 /// Camera to clip space. `aspect` is width by height of the image; `reversed` swaps the depths of the
@@ -88,6 +116,10 @@ pub fn view(camera: &Camera) -> Matrix {
 /// A perspective has `w = -z`; with `a`, `b` from `near`, `far` the depth is `(a z + b) / w`. An
 /// orthographic projection has `w = 1`. Valid for a camera as its fields describe.
 pub fn projection(camera: &Camera, aspect: f64, range: DepthRange, reversed: bool) -> Matrix {
+    rounded(&wide_projection(camera, aspect, range, reversed))
+}
+
+fn wide_projection(camera: &Camera, aspect: f64, range: DepthRange, reversed: bool) -> DMat4 {
     let (near, far) = (f64::from(camera.near), f64::from(camera.far));
     // Depth in 0..=1 is (a z + b) / w; the other ranges are a stretch or a flip of it.
     let (scale, a, b, w) = match camera.projection {
@@ -114,7 +146,7 @@ pub fn projection(camera: &Camera, aspect: f64, range: DepthRange, reversed: boo
         (true, DepthRange::MinusOneToOne) => -depth,
     };
     let rows = DMat4::from_cols(dvec4(scale / aspect, 0.0, 0.0, 0.0), dvec4(0.0, scale, 0.0, 0.0), depth, w);
-    rounded(&rows.transpose())
+    rows.transpose()
 }
 
 /// The same vector in binary64.

@@ -9,6 +9,9 @@ use crate::math::{Approx, Dyadic, Sign, Tally, orient2d, rounded_ratio};
 /// `(x1 (y2 - c) + x2 (c - y1)) / (y2 - y1)` (for a horizontal border): the quotient in binary64
 /// if its error bound leaves no doubt about the rounding, else the exact one.
 ///
+/// A coordinate that is equal to one of the window's has that border's bits, sign of zero included: the
+/// point lies on that border too.
+///
 /// Both ends must lie on different sides of the border, or one on it.
 ///
 /// *Source:* Skala 2023 (doi 10.15388/23-INFOR508) for clipping by signs; the filter is ours.
@@ -18,7 +21,7 @@ pub(super) fn intersection(segment: Segment, border: Border, window: &Window, ta
     let c = window.at(border);
     let [[a1, b1], [a2, b2]] = segment.map(|p| [p[fixed], p[free]]);
     let value = if b1 == b2 {
-        b1 + 0.0 // parallel to the axis: every point has this coordinate; never -0
+        b1 + 0.0 // parallel to the axis: every point has this coordinate, and +0 is its zero
     } else {
         tally.calls += 1;
         let [fa1, fb1, fa2, fb2, fc] = [a1, b1, a2, b2, c].map(Approx::from);
@@ -33,7 +36,7 @@ pub(super) fn intersection(segment: Segment, border: Border, window: &Window, ta
         )
     };
     let mut point = [c; 2];
-    point[free] = value;
+    point[free] = window.sides(free).into_iter().find(|side| *side == value).unwrap_or(value);
     point
 }
 

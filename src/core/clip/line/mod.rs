@@ -2,7 +2,8 @@
 //!
 //! Contract of every algorithm here: the window is closed, so touching it counts as visible;
 //! what lies inside comes back bit for bit; a cut end lies on the crossed border bit for bit, its
-//! other coordinate is the exact intersection rounded once to binary32. So the answer depends on
+//! other coordinate is the exact intersection rounded once to binary32 (if that is a coordinate of
+//! the window, with that border's bits: -0 stays -0). So the answer depends on
 //! the line and the border alone: not on the order of the ends, nor on the algorithm.
 
 pub mod cohen_sutherland;
@@ -67,6 +68,12 @@ impl Window {
             Border::Right => self.xmax,
             Border::Left => self.xmin,
         }
+    }
+
+    /// Minimum and maximum of x (axis 0) or y (axis 1).
+    #[inline]
+    pub fn sides(&self, axis: usize) -> [f32; 2] {
+        if axis == 0 { [self.xmin, self.xmax] } else { [self.ymin, self.ymax] }
     }
 
     /// Counter-clockwise from the lower left corner.

@@ -4,7 +4,7 @@
 //! by its length, before its words are looked at.
 
 use super::{
-    super::error::shortened as shortened_text,
+    super::error::beginning,
     error::{ObjError, ObjProblem},
     statements::{Statement, Statements},
 };
@@ -92,11 +92,11 @@ impl Seen {
             Some(b"v") => self.position(&numbers(words)?),
             Some(b"vt") => {
                 self.counts[1] += 1;
-                count("vt", "2, 3", numbers(words)?.len(), &[2, 3])
+                count("vt", numbers(words)?.len(), &[2, 3])
             }
             Some(b"vn") => {
                 self.counts[2] += 1;
-                count("vn", "3", numbers(words)?.len(), &[3])
+                count("vn", numbers(words)?.len(), &[3])
             }
             Some(b"f") => self.face(statement.line, words),
             Some(word) if self.foreign.is_none() && !IGNORED.contains(&word) => {
@@ -109,7 +109,7 @@ impl Seen {
 
     /// `v x y z`, `v x y z w` or `v x y z r g b`.
     fn position(&mut self, numbers: &[f32]) -> Result<(), ObjProblem> {
-        count("v", "3, 4, 6", numbers.len(), &[3, 4, 6])?;
+        count("v", numbers.len(), &[3, 4, 6])?;
         match *numbers {
             [.., 0.0] if numbers.len() == 4 => return Err(ObjProblem::ZeroWeight),
             [x, y, z, w] => {
@@ -198,16 +198,12 @@ fn number(word: &[u8]) -> Result<f32, ObjProblem> {
     }
 }
 
-fn count(
-    keyword: &'static str,
-    wanted: &'static str,
-    found: usize,
-    allowed: &[usize],
-) -> Result<(), ObjProblem> {
-    if allowed.contains(&found) { Ok(()) } else { Err(ObjProblem::Count { keyword, wanted, found }) }
+fn count(keyword: &'static str, found: usize, allowed: &[usize]) -> Result<(), ObjProblem> {
+    if allowed.contains(&found) { Ok(()) } else { Err(ObjProblem::Count { keyword, found }) }
 }
 
-/// The beginning of a word, for a message.
+/// The beginning of a word, for a message: enough to find it, and no more of a file that is perhaps
+/// no model at all and none of the reader's business.
 fn shortened(word: &[u8]) -> String {
-    shortened_text(&String::from_utf8_lossy(&word[..word.len().min(256)]))
+    beginning(&String::from_utf8_lossy(&word[..word.len().min(256)]), 20)
 }

@@ -42,8 +42,6 @@ pub enum ObjProblem {
     Count {
         /// `v`, `vt` or `vn`.
         keyword: &'static str,
-        /// How many it takes: `3, 4, 6`.
-        wanted: &'static str,
         /// How many there are.
         found: usize,
     },
@@ -118,10 +116,9 @@ impl ObjError {
             ObjProblem::NotFinite { word } => {
                 Message::new("error-obj-not-finite").with("word", Value::text(word))
             }
-            ObjProblem::Count { keyword, wanted, found } => Message::new("error-obj-count")
-                .with("keyword", Value::text(keyword))
-                .with("wanted", Value::text(wanted))
-                .with("found", *found),
+            ObjProblem::Count { keyword, found } => {
+                Message::new("error-obj-count").with("keyword", Value::text(keyword)).with("found", *found)
+            }
             ObjProblem::ZeroWeight => Message::new("error-obj-zero-weight"),
             ObjProblem::Color { word } => Message::new("error-obj-color").with("word", Value::text(word)),
             ObjProblem::SomeColors => Message::new("error-obj-some-colors"),

@@ -193,10 +193,14 @@ impl TransformWire {
             Self { matrix: Some(matrix), translate: None, rotate_degrees: None, scale: None } => {
                 Ok(Transform::Matrix(matrix))
             }
-            Self { matrix: Some(_), .. } => Err(FieldError::at(
-                "matrix",
-                Problem::UnknownField { known: vec!["translate", "rotate_degrees", "scale"] },
-            )),
+            Self { matrix: Some(_), translate, rotate_degrees, .. } => {
+                let other = match (translate, rotate_degrees) {
+                    (Some(_), _) => "translate",
+                    (None, Some(_)) => "rotate_degrees",
+                    (None, None) => "scale",
+                };
+                Err(FieldError::at("matrix", Problem::Both { other }))
+            }
             Self { matrix: None, translate, rotate_degrees, scale } => Ok(Transform::Parts {
                 translate: translate.unwrap_or([0.0; 3]),
                 rotate_degrees: rotate_degrees.unwrap_or([0.0; 3]),

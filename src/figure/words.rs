@@ -69,6 +69,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "pipeline"
     "transform"
     "cohen-sutherland"
+    "liang-barsky"
     "aabb"
     "scanline"
     "z-buffer"

@@ -1,19 +1,15 @@
 //! Cohen-Sutherland: laws, golden logs, and an exact oracle that knows no outcodes.
 
-use crate::support::{Coverage, Random, check_golden, check_laws, log_text};
+use crate::support::{
+    Coverage, LINE_WINDOW, Random, check_golden, check_laws, line, log_text, visible_part, window,
+};
 use rasterscope_core::{
     clip::line::{
         Segment, Window,
         cohen_sutherland::{self as cs, Event, Snapshot},
     },
-    math::{Arithmetic, Dyadic, Tally},
+    math::{Arithmetic, Tally},
 };
-
-const WINDOW: [f32; 4] = [3.5, 2.0, 9.0, 6.5];
-
-fn window(sides: [f32; 4]) -> Window {
-    Window::new(sides).expect("the test's window is right")
-}
 
 fn run(segment: Segment, window: &Window, arithmetic: Arithmetic) -> (Option<Segment>, Vec<Event>) {
     let mut events = Vec::new();
@@ -23,7 +19,7 @@ fn run(segment: Segment, window: &Window, arithmetic: Arithmetic) -> (Option<Seg
 
 #[track_caller]
 fn check(name: &str, segment: Segment) {
-    let (_, events) = run(segment, &window(WINDOW), Arithmetic::Exact);
+    let (_, events) = run(segment, &window(LINE_WINDOW), Arithmetic::Exact);
     check_golden(&format!("cohen_sutherland/{name}"), &log_text(&events));
 }
 
@@ -81,78 +77,14 @@ fn failures_of_others_are_right_here() {
     }
 }
 
-/// A random segment and window of one of several nasty families.
-fn input(random: &mut Random) -> (Segment, Window) {
-    let family = random.below(5);
-    let mut side = || {
-        let (a, b) = (random.grid(0, 5), random.grid(0, 5));
-        [a.min(b), a.max(b)]
-    };
-    let [[xmin, xmax], [ymin, ymax]] = [side(), side()];
-    let mut coordinate = |sides: [f32; 2]| match family {
-        0 | 1 => random.grid(-3, 8),
-        2 => {
-            let border = random.pick(&sides);
-            random.near(border)
-        }
-        3 => random.any(),
-        _ => random.uniform(-1e3, 1e3),
-    };
-    let mut point = || [coordinate([xmin, xmax]), coordinate([ymin, ymax])];
-    ([point(), point()], window([xmin, ymin, xmax, ymax]))
-}
-
-/// Parametric clipping in rational numbers: the exact interval of visible parameters.
-fn oracle([p, q]: Segment, w: &Window) -> Option<Segment> {
-    let [px, py, qx, qy] = [p[0], p[1], q[0], q[1]].map(Dyadic::from);
-    let (dx, dy) = (&qx - &px, &qy - &py);
-    // Entering and leaving parameters as fractions with a positive denominator.
-    let (mut enter, mut leave) =
-        ((Dyadic::from(0.0_f32), Dyadic::from(1.0_f32)), (Dyadic::from(1.0_f32), Dyadic::from(1.0_f32)));
-    let less = |a: &(Dyadic, Dyadic), b: &(Dyadic, Dyadic)| &a.0 * &b.1 < &b.0 * &a.1;
-    let zero = Dyadic::from(0.0_f32);
-    for (delta, start, side, sign) in
-        [(&dx, &px, w.xmin, -1), (&dx, &px, w.xmax, 1), (&dy, &py, w.ymin, -1), (&dy, &py, w.ymax, 1)]
-    {
-        // Inside iff sign (start + t delta - side) <= 0.
-        let sign = Dyadic::from(sign);
-        let (rate, distance) = (&sign * delta, &sign * &(&Dyadic::from(side) - start));
-        if rate == zero {
-            if distance < zero {
-                return None;
-            }
-        } else if rate > zero {
-            let t = (distance, rate);
-            if less(&t, &leave) {
-                leave = t;
-            }
-        } else {
-            let t = (-distance, -rate);
-            if less(&enter, &t) {
-                enter = t;
-            }
-        }
-    }
-    if less(&leave, &enter) {
-        return None;
-    }
-    let at = |(t, one): &(Dyadic, Dyadic), given: &Dyadic, end: [f32; 2]| {
-        if *t == given * one {
-            return end; // not cut: bit for bit
-        }
-        [Dyadic::ratio_to_f32(&(&px * one + t * &dx), one), Dyadic::ratio_to_f32(&(&py * one + t * &dy), one)]
-    };
-    Some([at(&enter, &zero, p), at(&leave, &Dyadic::from(1), q)])
-}
-
 #[test]
 fn agrees_with_the_rational_oracle_and_keeps_the_laws() {
     let mut random = Random::new(1);
     let (mut coverage, mut visible) = (Coverage::default(), 0);
     for round in 0..60_000 {
-        let (segment, window) = input(&mut random);
+        let (segment, window) = line(&mut random);
         let fast = cs::clip(segment, &window);
-        assert_eq!(fast, oracle(segment, &window), "{segment:?} in {window:?}");
+        assert_eq!(fast, visible_part(segment, &window).map(|(ends, _)| ends), "{segment:?} in {window:?}");
         visible += u32::from(fast.is_some());
         if round % 20 != 0 {
             continue;
@@ -185,7 +117,7 @@ fn rounded_arithmetic_fails_where_exact_does_not() {
     let mut random = Random::new(2);
     let mut wrong = [0, 0];
     for _ in 0..20_000 {
-        let (segment, window) = input(&mut random);
+        let (segment, window) = line(&mut random);
         let exact = cs::clip(segment, &window);
         for (count, arithmetic) in wrong.iter_mut().zip([Arithmetic::F32, Arithmetic::F64]) {
             *count += u32::from(run(segment, &window, arithmetic).0 != exact);

@@ -62,6 +62,14 @@ fn lines_are_clipped_and_keep_the_outcodes_of_the_given_ends() {
             r#"{"visible":false,"segment":null,"outcodes":["1001","1001"]}"#,
         ),
         (
+            r#"{"op":"clip_line","algorithm":"liang-barsky","window":[0,0,4,4],"segment":[-2,1,6,3]}"#,
+            r#"{"visible":true,"segment":[0.0,1.5,4.0,2.5],"t":[0.25,0.75]}"#,
+        ),
+        (
+            r#"{"op":"clip_line","algorithm":"liang-barsky","window":[0,0,4,4],"segment":[-2,5,-1,6]}"#,
+            r#"{"visible":false,"segment":null}"#,
+        ),
+        (
             r#"{"op":"clip_line","window":[2,2,2,2],"segment":[0,0,4,4],"arithmetic":"f64"}"#,
             r#"{"visible":true,"segment":[2.0,2.0,2.0,2.0],"outcodes":["0101","1010"]}"#,
         ),
@@ -229,7 +237,6 @@ fn each_kind_of_bad_input_has_its_code() {
         (r#"{"op":"clip_line","window":[1,0,0,1],"segment":[0,0,1,1]}"#, "bad-window"),
         (r#"{"op":"fly"}"#, "unknown-op"),
         (r#"{"op":"clip_line","algorithm":"guess"}"#, "unknown-algorithm"),
-        (r#"{"op":"clip_line","algorithm":"liang-barsky"}"#, "unsupported"),
         (r#"{"op":"clip_polygon","algorithm":"sutherland-hodgman"}"#, "unsupported"),
         (
             r#"{"op":"clip_line","window":[0,0,1,1],"segment":[0,0,1,1],"arithmetic":"f16"}"#,

@@ -8,6 +8,7 @@ mod compute;
 mod coverage;
 mod house;
 mod interpolate;
+mod liang_barsky;
 mod obj;
 mod pipeline;
 mod presets;

@@ -1,10 +1,14 @@
 //! The presets are the special cases that their sentences claim.
 
 use rasterscope_core::{
-    clip::line::{Window, cohen_sutherland},
+    clip::line::{
+        Algorithm, Window, cohen_sutherland,
+        liang_barsky::{self, Parameter},
+    },
     cull::{Facing, facing},
     math::Tally,
     raster::{Settings, aabb},
+    replay::{Budget, Playback},
     scene::{LabInput, Scene, Transform, model, preset},
     transform::{
         Viewport,
@@ -151,7 +155,7 @@ fn lines_are_what_their_names_say() {
         ("line-touches-a-corner", ["0001", "1000"], Some([[3.5, 6.5], [3.5, 6.5]])),
         ("line-along-a-border", ["0001", "0010"], Some([[3.5, 6.5], [9.0, 6.5]])),
     ] {
-        let Some(LabInput::CohenSutherland { window, segment: [x1, y1, x2, y2], .. }) =
+        let Some(LabInput::ClipLine { window, segment: [x1, y1, x2, y2], .. }) =
             scene(name).lab.map(|lab| lab.input)
         else {
             panic!("{name} opens the lab");
@@ -162,6 +166,35 @@ fn lines_are_what_their_names_say() {
         assert_eq!([code(x1, y1), code(x2, y2)].map(|code| code.iter().collect::<String>()), codes, "{name}");
         let window = Window::new(window).expect("a window");
         assert_eq!(cohen_sutherland::clip([[x1, y1], [x2, y2]], &window), visible, "{name}");
+    }
+}
+
+#[test]
+fn parameters_have_the_order_that_their_names_say() {
+    for (name, order, visible) in [
+        ("order-kept", "0 bottom left top right 1", true),
+        ("order-rejected", "0 bottom top left right 1", false),
+        ("order-reversed", "0 right top left bottom 1", true),
+        ("order-parallel", "0 left right 1", true),
+        ("order-parallel-outside", "0 1", false),
+        ("order-one-cut", "bottom left 0 right 1 top", true),
+        ("order-inside", "bottom left 0 1 right top", true),
+    ] {
+        let Some(LabInput::ClipLine { algorithm, window, segment: [x1, y1, x2, y2], arithmetic }) =
+            scene(name).lab.map(|lab| lab.input)
+        else {
+            panic!("{name} opens the lab");
+        };
+        assert_eq!(algorithm, Algorithm::LiangBarsky, "{name}");
+        let window = Window::new(window).expect("a window");
+        let mut run = liang_barsky::play([[x1, y1], [x2, y2]], window, arithmetic, Budget::default());
+        run.seek(run.len());
+        let found = run.state().ordered().into_iter().map(|parameter| match parameter {
+            Parameter::Of(end) => ["0", "1"][end as usize],
+            Parameter::At(border) => border.word().trim_start_matches("word-"),
+        });
+        assert_eq!(found.collect::<Vec<_>>().join(" "), order, "{name}");
+        assert_eq!(run.state().result().is_some(), visible, "{name}");
     }
 }
 

@@ -60,7 +60,7 @@ fn every_lab_has_at_least_five_presets() {
         };
         PRESETS.iter().filter(|preset| opens(preset.json) == Some(lab)).count()
     };
-    for lab in ["cohen-sutherland", "scanline", "z-buffer", "transform"] {
+    for lab in ["cohen-sutherland", "liang-barsky", "scanline", "z-buffer", "transform"] {
         assert!(of(lab) >= 5, "{lab}: {}", of(lab));
     }
     let scenes = PRESETS.iter().filter(|preset| !preset.json.contains("\"lab\"")).count();
@@ -139,7 +139,8 @@ fn every_field_survives_the_round_trip() {
             1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 0.1
         ])
     );
-    let lab = LabInput::CohenSutherland {
+    let lab = LabInput::ClipLine {
+        algorithm: rasterscope_core::clip::line::Algorithm::CohenSutherland,
         window: [0.0, 0.0, 0.0, 1.0],
         segment: [0.1, 0.2, 0.3, 0.4],
         arithmetic: Arithmetic::F64,

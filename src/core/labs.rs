@@ -4,8 +4,9 @@
 
 pub use crate::stage::Stage;
 use crate::{
-    clip::line::{Window, cohen_sutherland},
+    clip::line::{Algorithm, Window, cohen_sutherland, liang_barsky},
     depth::{DepthState, z_buffer},
+    math::Arithmetic,
     message::{Message, Value},
     pipeline::{screen_names, screen_triangles},
     raster::{self, scanline},
@@ -25,10 +26,11 @@ pub struct LabInfo {
 }
 
 /// Every lab, in pipeline order.
-pub const ALL: [LabInfo; 5] = [
+pub const ALL: [LabInfo; 6] = [
     LabInfo { name: "pipeline", stage: Stage::Image },
     LabInfo { name: "transform", stage: Stage::ClipSpace },
     LabInfo { name: "cohen-sutherland", stage: Stage::Clip },
+    LabInfo { name: "liang-barsky", stage: Stage::Clip },
     LabInfo { name: "scanline", stage: Stage::ScanConversion },
     LabInfo { name: "z-buffer", stage: Stage::Depth },
 ];
@@ -40,14 +42,17 @@ pub fn find(name: &str) -> Option<LabInfo> {
 
 /// What a lab starts with on a scene that says nothing about it.
 pub fn default_input(name: &str) -> Option<LabInput> {
+    let line = |algorithm| LabInput::ClipLine {
+        algorithm,
+        window: [3.5, 2.0, 9.0, 6.5],
+        segment: [0.5, 0.5, 10.5, 8.5],
+        arithmetic: Arithmetic::Exact,
+    };
     Some(match name {
         "pipeline" => LabInput::Pipeline,
         "transform" => LabInput::Transform { draw: 0, vertex: 0 },
-        "cohen-sutherland" => LabInput::CohenSutherland {
-            window: [3.5, 2.0, 9.0, 6.5],
-            segment: [0.5, 0.5, 10.5, 8.5],
-            arithmetic: crate::math::Arithmetic::Exact,
-        },
+        "cohen-sutherland" => line(Algorithm::CohenSutherland),
+        "liang-barsky" => line(Algorithm::LiangBarsky),
         "scanline" => LabInput::Scanline { vertices: None, triangle: 0 },
         "z-buffer" => LabInput::ZBuffer { triangles: None },
         _ => return None,
@@ -65,10 +70,15 @@ pub fn play(scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message>
     let Some(lab) = &scene.lab else { return Err(Message::new("error-no-lab")) };
     let nothing = || Message::new("error-nothing-to-step").with("lab", Value::text(lab.input.name()));
     match &lab.input {
-        LabInput::CohenSutherland { window, segment: [x1, y1, x2, y2], arithmetic } => {
+        LabInput::ClipLine { algorithm, window, segment: [x1, y1, x2, y2], arithmetic } => {
             let window = Window::new(*window).ok_or_else(|| Message::new("error-window"))?;
             let segment = [[*x1, *y1], [*x2, *y2]];
-            Ok(Box::new(cohen_sutherland::play(segment, window, *arithmetic, budget)))
+            Ok(match algorithm {
+                Algorithm::CohenSutherland => {
+                    Box::new(cohen_sutherland::play(segment, window, *arithmetic, budget))
+                }
+                Algorithm::LiangBarsky => Box::new(liang_barsky::play(segment, window, *arithmetic, budget)),
+            })
         }
         LabInput::Scanline { vertices, triangle } => {
             let of_scene =

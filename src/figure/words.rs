@@ -76,6 +76,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "cli"
     "tour"
     "app"
+    "liang-barsky"
 )];
 
 /// The words of one language.

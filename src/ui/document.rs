@@ -216,7 +216,8 @@ mod tests {
 
     #[test]
     fn a_lab_finds_its_inputs_again() {
-        let line = |x| LabInput::CohenSutherland {
+        let line = |x| LabInput::ClipLine {
+            algorithm: rasterscope_core::clip::line::Algorithm::CohenSutherland,
             window: [0.0, 0.0, 4.0, 3.0],
             segment: [x, 0.0, 1.0, 1.0],
             arithmetic: Default::default(),

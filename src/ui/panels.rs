@@ -226,6 +226,7 @@ fn about(lab: &str) -> &'static str {
         "pipeline" => "pipeline-about",
         "transform" => "transform-about",
         "cohen-sutherland" => "cohen-sutherland-about",
+        "liang-barsky" => "liang-barsky-about",
         "scanline" => "scanline-about",
         _ => "z-buffer-about",
     }

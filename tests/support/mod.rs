@@ -2,10 +2,12 @@
 
 mod golden;
 mod laws;
+mod lines;
 mod random;
 mod triangles;
 
 pub(crate) use golden::{check_golden, log_text};
 pub(crate) use laws::{Coverage, check_laws};
+pub(crate) use lines::{LINE_WINDOW, line, visible_part, window};
 pub(crate) use random::Random;
 pub(crate) use triangles::{areas, covered, plane_value, triangle};

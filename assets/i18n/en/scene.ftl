@@ -159,6 +159,27 @@ preset-line-touches-a-corner = The line meets the window in one point. The windo
 preset-line-along-a-border-name = Along a border
 preset-line-along-a-border = The line runs on the border itself. Border points have code 0000, so only the ends are cut.
 
+preset-order-kept-name = Four crossings, kept
+preset-order-kept = All four crossings lie between the ends, in the order 1 > α4 > α3 > α2 > α1 > 0. The two inner ones cut.
+
+preset-order-rejected-name = Four crossings, rejected
+preset-order-rejected = In the order 1 > α4 > α2 > α3 > α1 > 0 the line leaves at the top before it enters at the left. Nothing is visible.
+
+preset-order-reversed-name = The same, from the other end
+preset-order-reversed = P1 and P2 have changed places, so every entry became an exit. The visible part has the same bits.
+
+preset-order-parallel-name = Parallel to two borders
+preset-order-parallel = For the top and the bottom border p is 0: they have no t. Only the other two cut.
+
+preset-order-parallel-outside-name = Parallel and outside
+preset-order-parallel-outside = For the top border p is 0 and q is negative. One comparison decides, whatever the other borders say.
+
+preset-order-one-cut-name = One end inside
+preset-order-one-cut = Every entry lies before P1, so t0 stays 0 and P1 keeps its bits. One division cuts P2.
+
+preset-order-inside-name = Both ends inside
+preset-order-inside = Every entry lies before P1 and every exit after P2. Nothing is divided.
+
 preset-span-left-tie-name = One tie on a left edge
 preset-span-left-tie = In row 4 the left edge runs exactly through a pixel centre. A left edge draws it; a right edge would not.
 

@@ -1,7 +1,7 @@
 //! `clip_line`: a segment against a window.
 
 use rasterscope_core::{
-    clip::line::{Algorithm, Outcode, Segment, Window, cohen_sutherland},
+    clip::line::{Algorithm, Outcode, Segment, Window, cohen_sutherland, liang_barsky},
     math::{Arithmetic, Tally},
     message::Message,
     scene::{LabInput, Scene},
@@ -17,6 +17,7 @@ use super::{
 
 /// What a `clip_line` request asks for.
 struct Input {
+    algorithm: Algorithm,
     window: [f32; 4],
     segment: [f32; 4],
     arithmetic: Arithmetic,
@@ -25,8 +26,9 @@ struct Input {
 impl Input {
     fn read(request: &Request) -> Result<Self, Refusal> {
         let names = ("algorithm", "unknown-algorithm");
-        request.choice(names, &Algorithm::ALL, Algorithm::name, &["liang-barsky"])?;
+        let algorithm = request.choice(names, &Algorithm::ALL, Algorithm::name, &[])?;
         Ok(Self {
+            algorithm: algorithm.unwrap_or_default(),
             window: request.required("window")?.numbers()?,
             segment: request.required("segment")?.numbers()?,
             arithmetic: request.arithmetic_of(&[Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64])?,
@@ -41,13 +43,16 @@ impl Input {
     }
 }
 
-/// The visible part of the segment; `null` if there is none. The outcodes are those of the ends
-/// as they were given.
+/// The visible part of the segment; `null` if there is none. Cohen-Sutherland adds the outcodes of
+/// the ends as they were given, Liang-Barsky the parameters of what is visible.
 #[derive(Debug, Serialize)]
 pub(super) struct Answer {
     visible: bool,
     segment: Option<[f64; 4]>,
-    outcodes: [Outcode; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    outcodes: Option<[Outcode; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    t: Option<[f64; 2]>,
 }
 
 pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
@@ -55,15 +60,26 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
     let window = input.window()?;
     let [x0, y0, x1, y1] = input.segment;
     let ends: Segment = [[x0, y0], [x1, y1]];
-    let clipped =
-        cohen_sutherland::clip_traced(ends, &window, input.arithmetic, &mut Tally::default(), &mut NoTrace);
-    if clipped.is_some_and(|ends| ends.as_flattened().iter().any(|v| !v.is_finite())) {
+    let (arithmetic, mut tally) = (input.arithmetic, Tally::default());
+    let (clipped, outcodes, t) = match input.algorithm {
+        Algorithm::CohenSutherland => {
+            let clipped = cohen_sutherland::clip_traced(ends, &window, arithmetic, &mut tally, &mut NoTrace);
+            (clipped, Some(ends.map(|end| Outcode::of(end, input.window))), None)
+        }
+        Algorithm::LiangBarsky => {
+            let visible = liang_barsky::clip_traced(ends, &window, arithmetic, &mut tally, &mut NoTrace);
+            (visible.map(|visible| visible.segment), None, visible.map(|visible| visible.t))
+        }
+    };
+    let mut numbers = clipped.iter().flatten().chain(&t).flatten();
+    if numbers.any(|v| !v.is_finite()) {
         return Err(Refusal::overflow(input.arithmetic));
     }
     Ok(Answer {
         visible: clipped.is_some(),
         segment: clipped.map(|[p, q]| wide([p[0], p[1], q[0], q[1]])),
-        outcodes: ends.map(|end| Outcode::of(end, input.window)),
+        outcodes,
+        t: t.map(wide),
     })
 }
 
@@ -71,6 +87,6 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
 pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
     let input = Input::read(request)?;
     input.window()?;
-    let Input { window, segment, arithmetic } = input;
-    Ok(lab_scene([64, 64], LabInput::CohenSutherland { window, segment, arithmetic }))
+    let Input { algorithm, window, segment, arithmetic } = input;
+    Ok(lab_scene([64, 64], LabInput::ClipLine { algorithm, window, segment, arithmetic }))
 }

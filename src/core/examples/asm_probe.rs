@@ -3,7 +3,10 @@
 #![expect(unsafe_code, missing_docs, reason = "exported names, never called")]
 
 use rasterscope_core::{
-    clip::line::{Segment, Window, cohen_sutherland},
+    clip::line::{
+        Segment, Window, cohen_sutherland,
+        liang_barsky::{self, Visible},
+    },
     depth::z_buffer::{self, Image, Triangle},
     math::{Arithmetic, Tally},
     raster::{Counts, Settings, Span, scanline},
@@ -14,6 +17,11 @@ use rasterscope_core::{
 #[unsafe(no_mangle)]
 pub fn probe_clip_cohen_sutherland(segment: Segment, window: &Window, tally: &mut Tally) -> Option<Segment> {
     cohen_sutherland::clip_traced(segment, window, Arithmetic::Exact, tally, &mut NoTrace)
+}
+
+#[unsafe(no_mangle)]
+pub fn probe_clip_liang_barsky(segment: Segment, window: &Window, tally: &mut Tally) -> Option<Visible> {
+    liang_barsky::clip_traced(segment, window, Arithmetic::Exact, tally, &mut NoTrace)
 }
 
 #[unsafe(no_mangle)]

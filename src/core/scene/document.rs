@@ -2,6 +2,7 @@
 
 use crate::{
     blend::BlendState,
+    clip::line,
     cull::{CullMode, FrontFace},
     depth::{DepthFormat, DepthState},
     math::Arithmetic,
@@ -273,7 +274,9 @@ pub struct Lab {
 #[derive(Clone, Debug, PartialEq)]
 pub enum LabInput {
     /// A line against a window.
-    CohenSutherland {
+    ClipLine {
+        /// The lab's own algorithm; all have the same inputs.
+        algorithm: line::Algorithm,
         /// xmin, ymin, xmax, ymax; y up; closed.
         window: [f32; 4],
         /// x and y of the first end, x and y of the second.
@@ -308,7 +311,7 @@ impl LabInput {
     /// The lab's name, on the command line and in scene files.
     pub fn name(&self) -> &'static str {
         match self {
-            Self::CohenSutherland { .. } => "cohen-sutherland",
+            Self::ClipLine { algorithm, .. } => algorithm.name(),
             Self::Scanline { .. } => "scanline",
             Self::ZBuffer { .. } => "z-buffer",
             Self::Transform { .. } => "transform",

@@ -53,7 +53,7 @@ impl Scene {
 
     fn lab_input(&self, input: &LabInput) -> Checked {
         match input {
-            LabInput::CohenSutherland { window, segment, arithmetic } => {
+            LabInput::ClipLine { window, segment, arithmetic, .. } => {
                 each_finite(window).map_err(|e| e.within("window"))?;
                 let [xmin, ymin, xmax, ymax] = *window;
                 refuse_if(xmin > xmax || ymin > ymax, "window", Problem::WindowReversed)?;

@@ -3,7 +3,9 @@
 //! A lab says what of the document can be dragged and chosen. Running, stepping, listing,
 //! inspector and painting are the shell's, the same for all.
 
+mod clip_line;
 mod cohen_sutherland;
+mod liang_barsky;
 mod pipeline;
 mod scanline;
 mod transform;
@@ -101,7 +103,8 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
     vec![
         Box::new(pipeline::Pipeline),
         Box::new(transform::Transform),
-        Box::new(cohen_sutherland::CohenSutherland),
+        Box::new(cohen_sutherland::LAB),
+        Box::new(liang_barsky::LAB),
         Box::new(scanline::Scanline),
         Box::new(z_buffer::ZBuffer),
     ]

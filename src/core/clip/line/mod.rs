@@ -8,7 +8,12 @@
 
 pub mod cohen_sutherland;
 mod intersection;
+pub mod liang_barsky;
 
+use crate::{
+    explain::{Grid, Piece, View},
+    message::Value,
+};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -24,16 +29,19 @@ pub enum Algorithm {
     /// Outcodes: [`cohen_sutherland`].
     #[default]
     CohenSutherland,
+    /// Ordered parameters: [`liang_barsky`].
+    LiangBarsky,
 }
 
 impl Algorithm {
     /// Every algorithm, the default first.
-    pub const ALL: [Self; 1] = [Self::CohenSutherland];
+    pub const ALL: [Self; 2] = [Self::CohenSutherland, Self::LiangBarsky];
 
     /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::CohenSutherland => "cohen-sutherland",
+            Self::LiangBarsky => "liang-barsky",
         }
     }
 }
@@ -217,4 +225,27 @@ impl Outcode {
     pub fn first(self) -> Option<Border> {
         Border::ALL.into_iter().find(|&border| self.has(border))
     }
+}
+
+/// What the labs of this stage show: the segment, the window, and some room around both.
+fn view(segment: Segment, window: &Window) -> View {
+    let [mut min, mut max] = [[window.xmin, window.ymin], [window.xmax, window.ymax]];
+    for axis in 0..2 {
+        for p in segment {
+            min[axis] = min[axis].min(p[axis]);
+            max[axis] = max[axis].max(p[axis]);
+        }
+        // Room for what stands in the outer regions; capped so that huge inputs stay finite.
+        let margin = ((max[axis] / 2.0 - min[axis] / 2.0) * 0.25).max(0.5);
+        min[axis] = (min[axis] - margin).max(f32::MIN / 4.0);
+        max[axis] = (max[axis] + margin).min(f32::MAX / 4.0);
+    }
+    View { min, max, y_up: true, grid: Grid::Units }
+}
+
+/// The numbers of a coordinate at t: `= b1 + t (b2 − b1) = result`.
+fn along(b1: Piece, b2: Piece, t: Value, result: Piece) -> Vec<Piece> {
+    let text = Piece::Text;
+    let (plus, open, minus, equals) = (text(" + "), text(" ("), text(" − "), text(") = "));
+    vec![text("= "), b1.clone(), plus, Piece::Number(t), open, b2, minus, b1, equals, result]
 }

@@ -5,7 +5,7 @@ use super::super::{
     error::{Problem, shortened},
     path::FieldError,
 };
-use crate::math::Arithmetic;
+use crate::{clip::line::Algorithm, math::Arithmetic};
 use serde::{Deserialize, Serialize};
 
 /// All fields of all labs; which of them belong together, the name says.
@@ -39,17 +39,22 @@ pub(super) struct LabWire {
 #[serde(rename_all = "kebab-case")]
 enum LabName {
     CohenSutherland,
+    LiangBarsky,
     Scanline,
     ZBuffer,
     Transform,
     Pipeline,
 }
 
+/// The inputs of every lab that clips a line.
+const LINE: &[&str] = &["window", "segment", "arithmetic"];
+
 impl LabName {
     /// The lab's own algorithm, and the inputs that it has beside `name`, `algorithm` and `step`.
     fn contract(self) -> (&'static str, &'static [&'static str]) {
         match self {
-            Self::CohenSutherland => ("cohen-sutherland", &["window", "segment", "arithmetic"]),
+            Self::CohenSutherland => ("cohen-sutherland", LINE),
+            Self::LiangBarsky => ("liang-barsky", LINE),
             Self::Scanline => ("scanline", &["vertices", "triangle"]),
             Self::ZBuffer => ("z-buffer", &["triangles"]),
             Self::Transform => ("transform", &["draw", "vertex"]),
@@ -101,15 +106,21 @@ impl LabWire {
         }
     }
 
+    fn clip_line(&self, algorithm: Algorithm) -> Result<LabInput, FieldError> {
+        let missing = |field| FieldError::at(field, Problem::Missing);
+        Ok(LabInput::ClipLine {
+            algorithm,
+            window: self.window.ok_or_else(|| missing("window"))?,
+            segment: self.segment.ok_or_else(|| missing("segment"))?,
+            arithmetic: self.arithmetic.unwrap_or_default(),
+        })
+    }
+
     pub(super) fn into_lab(self) -> Result<Lab, FieldError> {
         self.check()?;
-        let missing = |field| FieldError::at(field, Problem::Missing);
         let input = match self.name {
-            LabName::CohenSutherland => LabInput::CohenSutherland {
-                window: self.window.ok_or_else(|| missing("window"))?,
-                segment: self.segment.ok_or_else(|| missing("segment"))?,
-                arithmetic: self.arithmetic.unwrap_or_default(),
-            },
+            LabName::CohenSutherland => self.clip_line(Algorithm::CohenSutherland)?,
+            LabName::LiangBarsky => self.clip_line(Algorithm::LiangBarsky)?,
             LabName::Scanline => {
                 LabInput::Scanline { vertices: self.vertices, triangle: self.triangle.unwrap_or_default() }
             }
@@ -127,12 +138,18 @@ impl LabWire {
 impl From<&Lab> for LabWire {
     fn from(lab: &Lab) -> Self {
         match &lab.input {
-            LabInput::CohenSutherland { window, segment, arithmetic } => Self {
-                window: Some(*window),
-                segment: Some(*segment),
-                arithmetic: Some(*arithmetic),
-                ..Self::named(LabName::CohenSutherland, lab.step)
-            },
+            LabInput::ClipLine { algorithm, window, segment, arithmetic } => {
+                let name = match algorithm {
+                    Algorithm::CohenSutherland => LabName::CohenSutherland,
+                    Algorithm::LiangBarsky => LabName::LiangBarsky,
+                };
+                Self {
+                    window: Some(*window),
+                    segment: Some(*segment),
+                    arithmetic: Some(*arithmetic),
+                    ..Self::named(name, lab.step)
+                }
+            }
             LabInput::Scanline { vertices, triangle } => Self {
                 vertices: *vertices,
                 triangle: (*triangle > 0).then_some(*triangle),

@@ -5,8 +5,8 @@ use super::{
     formulas::{bits, joined},
 };
 use crate::{
-    clip::line::{Border, End, Outcode, Point, Segment, Window},
-    explain::{Explain, Formula, Grid, Label, Level, Mark, Marker, Role, Row, Table, View},
+    clip::line::{Border, End, Outcode, Point, Segment, Window, view},
+    explain::{Explain, Formula, Label, Level, Mark, Marker, Role, Row, Table, View},
     math::Arithmetic,
     message::{Message, Value},
     replay::State,
@@ -285,18 +285,7 @@ impl Explain for Snapshot {
     }
 
     fn view(&self) -> View {
-        let [mut min, mut max] = [[self.window.xmin, self.window.ymin], [self.window.xmax, self.window.ymax]];
-        for axis in 0..2 {
-            for p in self.original {
-                min[axis] = min[axis].min(p[axis]);
-                max[axis] = max[axis].max(p[axis]);
-            }
-            // Room for the codes of the outer regions; capped so that huge inputs stay finite.
-            let margin = ((max[axis] / 2.0 - min[axis] / 2.0) * 0.25).max(0.5);
-            min[axis] = (min[axis] - margin).max(f32::MIN / 4.0);
-            max[axis] = (max[axis] + margin).min(f32::MAX / 4.0);
-        }
-        View { min, max, y_up: true, grid: Grid::Units }
+        view(self.original, &self.window)
     }
 }
 

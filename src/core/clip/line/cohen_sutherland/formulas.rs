@@ -2,7 +2,7 @@
 
 use super::Snapshot;
 use crate::{
-    clip::line::{Border, End, Outcode, Point},
+    clip::line::{Border, End, Outcode, Point, along},
     explain::{Formula, Piece},
     math::Arithmetic,
     message::Value,
@@ -73,18 +73,7 @@ impl Snapshot {
                 (_, _, End::P1) => "y1 ← y1 + t (y2 − y1)",
                 (_, _, End::P2) => "y2 ← y1 + t (y2 − y1)",
             },
-            numbers: vec![
-                text("= "),
-                b1.clone(),
-                text(" + "),
-                Piece::Number(t),
-                text(" ("),
-                b2,
-                text(" − "),
-                b1,
-                text(") = "),
-                Piece::Result(to[free].into()),
-            ],
+            numbers: along(b1, b2, t, Piece::Result(to[free].into())),
         };
         [share, place]
     }

@@ -4,7 +4,9 @@
 //! inspector and painting are the shell's, the same for all.
 
 mod cohen_sutherland;
+mod objects;
 mod pipeline;
+mod placing;
 mod scanline;
 mod transform;
 mod z_buffer;

@@ -69,6 +69,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "pipeline"
     "transform"
     "cohen-sutherland"
+    "liang-barsky"
     "aabb"
     "scanline"
     "z-buffer"
@@ -76,7 +77,6 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "cli"
     "tour"
     "app"
-    "liang-barsky"
 )];
 
 /// The words of one language.

@@ -4,7 +4,7 @@
 
 use egui::{
     Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Shadow, Stroke,
-    Style, TextStyle, Visuals, vec2,
+    Style, TextStyle, Visuals, style::ScrollAnimation, vec2,
 };
 use rasterscope_core::explain::Role;
 use rasterscope_figure::{
@@ -108,6 +108,11 @@ impl Look {
         self.theme.name == ThemeName::Projector
     }
 
+    /// The icon of a button that cannot be pressed.
+    pub(crate) fn disabled(&self) -> Color32 {
+        color(if self.projector() { self.theme.grid } else { self.theme.faint })
+    }
+
     /// The colour of a role.
     pub(crate) fn role(&self, role: Role) -> Color32 {
         color(self.theme.style(role).color)
@@ -197,6 +202,7 @@ impl Look {
         spacing.scroll.bar_width = 8.0;
         spacing.scroll.foreground_color = false;
         style.animation_time = 0.0;
+        style.scroll_animation = ScrollAnimation::none();
         style.interaction.selectable_labels = false;
         style.interaction.interact_radius = 3.0;
         style.explanation_tooltips = false;

@@ -20,6 +20,9 @@ pub(crate) enum Icon {
     End,
     Undo,
     Redo,
+    Up,
+    Down,
+    Cross,
 }
 
 impl Icon {
@@ -58,6 +61,16 @@ impl Icon {
             }
             Self::Undo => turn(painter, at, 1.0, color),
             Self::Redo => turn(painter, at, -1.0, color),
+            Self::Up | Self::Down => {
+                let y = if self == Self::Up { 2.5 } else { -2.5 };
+                let points = vec![at + vec2(-4.5, y), at + vec2(0.0, -y), at + vec2(4.5, y)];
+                painter.add(Shape::line(points, Stroke::new(1.5, color)));
+            }
+            Self::Cross => {
+                for y in [-4.0, 4.0] {
+                    painter.line_segment([at + vec2(-4.0, y), at + vec2(4.0, -y)], Stroke::new(1.5, color));
+                }
+            }
         }
     }
 }
@@ -133,7 +146,7 @@ pub(crate) fn icon_button_at(
     if !frameless || (state != State::Disabled && (response.hovered() || response.has_focus())) {
         wear(ui, response, rect, state == State::On, face.look);
     }
-    let color = if state == State::Disabled { face.look.faint } else { face.look.text };
+    let color = if state == State::Disabled { face.look.disabled() } else { face.look.text };
     icon.paint(ui.painter(), rect.center(), color);
 }
 
@@ -178,6 +191,21 @@ pub(crate) fn text_in(
 pub(crate) fn heading(ui: &mut Ui, face: &Face<'_>, text: &str) {
     ui.add_space(6.0);
     ui.label(egui::RichText::new(text).font(face.look.font(Text::LabelStrong)).color(face.look.dim));
+}
+
+/// Scrolls what has got the keyboard into sight; called at the end of what scrolls.
+pub(crate) fn follow_focus(ui: &Ui) {
+    let ctx = ui.ctx();
+    let focused = ctx.memory(egui::Memory::focused);
+    let key = ui.unique_id().with("followed");
+    if ctx.data(|data| data.get_temp::<Option<egui::Id>>(key)).flatten() == focused {
+        return;
+    }
+    ctx.data_mut(|data| data.insert_temp(key, focused));
+    let place = focused.and_then(|id| ctx.read_response(id)).map(|response| response.rect);
+    if let Some(rect) = place.filter(|rect| ui.min_rect().contains_rect(*rect)) {
+        ui.scroll_to_rect(rect.expand(2.0), None);
+    }
 }
 
 /// A line of 1 px over the full width.

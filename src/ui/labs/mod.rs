@@ -6,7 +6,9 @@
 mod clip_line;
 mod cohen_sutherland;
 mod liang_barsky;
+mod objects;
 mod pipeline;
+mod placing;
 mod scanline;
 mod transform;
 mod z_buffer;

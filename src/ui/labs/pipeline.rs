@@ -42,6 +42,8 @@ impl Lab for Pipeline {
         choices::choose(ui, face, "ui-y-axis", &mut document.scene.y_axis, &all);
         facing(ui, face, document);
         choices::snapping(ui, face, view);
+        super::objects::show(ui, face, &mut document.scene);
+        super::placing::camera(ui, face, &mut document.scene);
         heading(ui, face, &face.say("ui-skips"));
         for (skip, name) in SKIPS {
             let mut on = view.skips.has(skip);

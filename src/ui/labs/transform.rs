@@ -46,6 +46,8 @@ impl Lab for Transform {
             }
         }
         *document.input_mut() = LabInput::Transform { draw, vertex };
+        super::placing::transform(ui, face, &mut document.scene, draw);
+        super::placing::camera(ui, face, &mut document.scene);
     }
 
     fn handles(&self, _: &Document) -> Vec<Handle> {

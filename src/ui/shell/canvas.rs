@@ -8,7 +8,7 @@ use crate::{
     overview::Hover,
     paint::{self, Textures},
     theme::Text,
-    widgets::text_in,
+    widgets::{focus_ring, text_in},
 };
 use egui::{
     Align2, Id, PointerButton, Pos2, Rect, Response, Role as Part, Sense, Ui, Vec2, WidgetInfo, pos2, vec2,
@@ -120,6 +120,7 @@ impl Canvas {
         for (response, handle) in &shown {
             handles::paint(ui, face, response, plane.place(handle.at), handle.kind);
         }
+        focus_ring(ui, &background, rect.shrink(1.0), face.look);
         self.hovered = readout(ui, face, &plane, &background, drawing, hover);
     }
 
@@ -312,8 +313,15 @@ fn value_at(marks: &[Mark], pixel: [u32; 2]) -> Option<Value> {
 
 /// One line at the foot of the canvas.
 fn foot(ui: &Ui, face: &Face<'_>, rect: Rect, message: &str) {
-    let font = face.look.font(Text::Listing);
-    let size = ui.painter().layout_no_wrap(message.to_owned(), font.clone(), face.look.dim).size();
+    let room = rect.width() - 28.0;
+    let measure = |text| {
+        let font = face.look.font(text);
+        (ui.painter().layout_no_wrap(message.to_owned(), font.clone(), face.look.dim).size(), font)
+    };
+    let (size, font) = Some(measure(Text::Listing))
+        .filter(|(size, _)| size.x <= room)
+        .unwrap_or_else(|| measure(Text::SmallMono));
+    let size = vec2(size.x.min(room), size.y);
     let plate =
         Rect::from_min_size(pos2(rect.left() + 8.0, rect.bottom() - size.y - 12.0), size + vec2(12.0, 6.0));
     ui.painter().rect_filled(plate, 3, face.look.canvas);

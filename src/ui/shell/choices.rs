@@ -7,7 +7,7 @@ use crate::{
     presets::PresetInfo,
     shell::Frame,
     theme::{Text, small_mono},
-    widgets::{down, heading, row, text_in},
+    widgets::{down, follow_focus, heading, row, text_in},
 };
 use egui::{Align2, ComboBox, DragValue, Rect, ScrollArea, Ui, pos2, vec2};
 use rasterscope_core::{math::Arithmetic, message::Value};
@@ -27,6 +27,7 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, open: &mut O
     ScrollArea::vertical().id_salt("conventions").auto_shrink(false).show(ui, |ui| {
         ui.set_width(ui.available_width());
         open.lab.controls(ui, face, open.document, open.view);
+        follow_focus(ui);
     });
 }
 
@@ -49,6 +50,7 @@ fn presets(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, most: f32) {
         for one in mine {
             preset(ui, face, one, frame.preset == Some(one.name));
         }
+        follow_focus(ui);
     });
 }
 
@@ -145,16 +147,19 @@ pub(crate) fn fields<const N: usize>(ui: &mut Ui, face: &Face<'_>, label: &str, 
             ui.spacing_mut().button_padding.x = 3.0;
             ui.style_mut().drag_value_text_style = small_mono();
         }
-        let wide = match (face.look.projector(), many) {
+        let least = match (face.look.projector(), many) {
             (true, _) => 44.0,
             (false, true) => 24.0,
             (false, false) => 34.0,
         };
+        let font = face.look.font(if many { Text::SmallMono } else { Text::Mono });
+        let text = ui.painter().layout_no_wrap(label.to_owned(), font.clone(), face.look.text).size().x;
+        let wide = text.max(least);
         let (rect, _) = ui.allocate_exact_size(vec2(wide, face.look.button_height()), egui::Sense::hover());
-        text_in(ui.painter(), rect, Align2::LEFT_CENTER, label, face.look.font(Text::Mono), face.look.text);
+        text_in(ui.painter(), rect, Align2::LEFT_CENTER, label, font, face.look.text);
         let gap = ui.spacing().item_spacing.x;
         let width = (ui.available_width() - gap * (N as f32 - 1.0)) / N as f32;
-        for (value, axis) in values.into_iter().zip(["x", "y", "z"]) {
+        for (value, axis) in values.into_iter().zip(["x", "y", "z", "w"]) {
             let name = format!("{label} {axis}");
             number(ui, face, width, &name, value);
         }

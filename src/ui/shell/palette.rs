@@ -110,7 +110,7 @@ pub(crate) fn show(ui: &Ui, face: &Face<'_>, frame: &Frame<'_>, palette: &mut Pa
             for (i, entry) in entries.iter().enumerate() {
                 let response = entry_row(ui, face, entry, i == palette.chosen);
                 if i == palette.chosen && scrolled {
-                    response.scroll_to_me_animation(None, egui::style::ScrollAnimation::none());
+                    response.scroll_to_me(None);
                 }
                 if response.clicked() {
                     face.ask(entry.command.clone());

@@ -1,11 +1,13 @@
 //! The window driven without a window: every lab, keys, files, pictures.
 
+mod editing;
 mod files;
 mod keeping;
 mod keys;
 mod labs;
 mod painter;
 mod pictures;
+mod reach;
 mod source;
 
 use crate::{App, Platform, Purpose, theme};
@@ -92,7 +94,11 @@ fn window_on(width: f32, height: f32, platform: Memory) -> Window {
         .with_max_steps(16)
         .with_step_dt(1.0 / 60.0)
         .renderer(CpuPainter::default())
-        .with_context_setup(|ctx| ctx.set_fonts(theme::fonts()))
+        .with_context_setup(|ctx| {
+            // As in a real window, the first frame already wears the look.
+            ctx.set_fonts(theme::fonts());
+            theme::Look::new(Default::default()).apply(ctx);
+        })
         .build_ui_state(
             |ui, desk: &mut Desk| {
                 // As in a real window: no margin round the app.

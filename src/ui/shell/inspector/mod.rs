@@ -12,7 +12,7 @@ use crate::{
     run::Shown,
     shell::Frame,
     theme::Text,
-    widgets::{focus_ring, rule},
+    widgets::{focus_ring, follow_focus, rule},
 };
 use egui::{Align2, Rect, Role as Part, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
 use rasterscope_figure::{
@@ -134,6 +134,7 @@ pub(crate) fn show(
                     }
                 }
             }
+            follow_focus(ui);
         });
     });
 }

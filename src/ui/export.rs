@@ -3,7 +3,10 @@
 use crate::{
     app::App,
     platform::Platform,
-    shell::{inspector::csv, notice::Notice},
+    shell::{
+        inspector::{Digest, csv},
+        notice::Notice,
+    },
 };
 use egui::{ColorImage, Context};
 use rasterscope_core::message::{Message, Value};
@@ -61,7 +64,7 @@ impl App {
 
     /// Puts the values of the step on the clipboard, as comma-separated lines.
     pub(crate) fn copy_values(&mut self, ctx: &Context) {
-        let mut tables = self.digest.iter().flat_map(|digest| digest.tables()).cloned().collect::<Vec<_>>();
+        let mut tables = self.digest.iter().flat_map(Digest::tables).cloned().collect::<Vec<_>>();
         if self.labs[self.lab()].name() == "pipeline" {
             tables.push((*self.overview.table(&self.words)).clone());
         }

@@ -154,7 +154,9 @@ pub(crate) fn fields<const N: usize>(ui: &mut Ui, face: &Face<'_>, label: &str, 
         };
         let font = face.look.font(if many { Text::SmallMono } else { Text::Mono });
         let text = ui.painter().layout_no_wrap(label.to_owned(), font.clone(), face.look.text).size().x;
-        let wide = text.max(least);
+        // Words have one width, so that the numbers below each other line up.
+        let words = if face.look.projector() { 48.0 } else { 38.0 };
+        let wide = if text > least { text.max(words) } else { least };
         let (rect, _) = ui.allocate_exact_size(vec2(wide, face.look.button_height()), egui::Sense::hover());
         text_in(ui.painter(), rect, Align2::LEFT_CENTER, label, font, face.look.text);
         let gap = ui.spacing().item_spacing.x;

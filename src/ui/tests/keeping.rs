@@ -135,7 +135,7 @@ fn work_is_kept_seldom_and_only_when_it_changed() {
     assert_eq!(window.state().platform.writes, before, "nothing changed");
     for i in 0..120 {
         let app = window.state_mut().app_mut();
-        if let LabInput::CohenSutherland { segment, .. } = app.document.input_mut() {
+        if let LabInput::ClipLine { segment, .. } = app.document.input_mut() {
             segment[0] = i as f32 / 100.0;
         }
         window.step();

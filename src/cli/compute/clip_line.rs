@@ -2,8 +2,9 @@
 
 use rasterscope_core::{
     clip::line::{Algorithm, Outcode, Segment, Window, cohen_sutherland, liang_barsky},
+    labs,
     math::{Arithmetic, Tally},
-    scene::{LabInput, Scene},
+    scene::Scene,
     trace::NoTrace,
 };
 use serde::Serialize;
@@ -76,5 +77,5 @@ pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
     let input = Input::read(request)?;
     let Input { algorithm, window, segment, arithmetic } = input;
     let window = window.array();
-    Ok(lab_scene([64, 64], LabInput::ClipLine { algorithm, window, segment, arithmetic }))
+    Ok(lab_scene([64, 64], labs::ClipLine { algorithm, window, segment, arithmetic }))
 }

@@ -12,6 +12,7 @@ pub mod liang_barsky;
 
 use crate::{
     explain::{Grid, Piece, View},
+    math::Arithmetic,
     message::Value,
 };
 use serde::{Deserialize, Serialize};
@@ -122,6 +123,12 @@ impl Border {
             Self::Right | Self::Left => 0,
             Self::Top | Self::Bottom => 1,
         }
+    }
+
+    /// Whether inside is where the coordinate is smaller.
+    #[inline]
+    pub fn is_upper(self) -> bool {
+        matches!(self, Self::Top | Self::Right)
     }
 
     /// The name of its constant.
@@ -249,6 +256,21 @@ pub(in crate::clip) fn view(points: impl IntoIterator<Item = Point>, window: &Wi
         max[axis] = (max[axis] + margin).min(f32::MAX / 4.0);
     }
     View { min, max, y_up: true, grid: Grid::Units }
+}
+
+/// The numbers of how far along from a1 to a2 the border c lies, `= (c − a1) / (a2 − a1) = t`, and t.
+pub(in crate::clip) fn share(c: f32, [a1, a2]: [f32; 2], arithmetic: Arithmetic) -> (Vec<Piece>, Value) {
+    let t = if arithmetic == Arithmetic::F32 {
+        Value::F32((c - a1) / (a2 - a1))
+    } else {
+        let [c, a1, a2] = [c, a1, a2].map(f64::from);
+        Value::F64((c - a1) / (a2 - a1))
+    };
+    let [c, a1, a2] = [c, a1, a2].map(|x| Piece::Number(x.into()));
+    let text = Piece::Text;
+    let (open, minus, over) = (text("= ("), text(" − "), text(") / ("));
+    let numbers = vec![open, c, minus.clone(), a1.clone(), over, a2, minus, a1, text(") = ")];
+    (numbers.into_iter().chain([Piece::Result(t.clone())]).collect(), t)
 }
 
 /// The numbers of a coordinate at t: `= b1 + t (b2 − b1) = result`.

@@ -76,10 +76,7 @@ impl Place {
     /// From the order of a point's coordinate and the border's.
     #[inline]
     pub fn of(order: Ordering, border: Border) -> Self {
-        let outward = match border {
-            Border::Top | Border::Right => Ordering::Greater,
-            Border::Bottom | Border::Left => Ordering::Less,
-        };
+        let outward = if border.is_upper() { Ordering::Greater } else { Ordering::Less };
         match order {
             Ordering::Equal => Self::On,
             order if order == outward => Self::Out,

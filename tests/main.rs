@@ -2,6 +2,7 @@
 //! conformance. No display, no network, no clock.
 
 mod cli;
+mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
 mod compute;
@@ -18,6 +19,7 @@ mod scanline;
 mod scene;
 mod scene_errors;
 mod support;
+mod sutherland_hodgman;
 mod tour;
 mod transform;
 mod z_buffer;

@@ -68,6 +68,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "ui"
     "pipeline"
     "transform"
+    "back-face"
     "cohen-sutherland"
     "liang-barsky"
     "aabb"

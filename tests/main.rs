@@ -4,6 +4,7 @@
 mod cli;
 mod clip_triangle;
 mod cohen_sutherland;
+mod compare;
 mod compute;
 mod coverage;
 mod house;

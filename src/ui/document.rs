@@ -21,7 +21,7 @@ impl Document {
     /// A document of a scene; a scene without a lab opens the overview.
     pub(crate) fn new(mut scene: Scene) -> Self {
         // The step belongs to the view.
-        scene.lab.get_or_insert(Lab { step: None, input: LabInput::Pipeline }).step = None;
+        scene.lab.get_or_insert(Lab::new(LabInput::Pipeline)).step = None;
         Self { scene, others: Vec::new() }
     }
 
@@ -60,7 +60,7 @@ impl Document {
 
     /// The inputs of the open lab, to edit.
     pub(crate) fn input_mut(&mut self) -> &mut LabInput {
-        &mut self.scene.lab.get_or_insert(Lab { step: None, input: LabInput::Pipeline }).input
+        &mut self.scene.lab.get_or_insert(Lab::new(LabInput::Pipeline)).input
     }
 
     /// Opens another lab with the inputs it had, or with `first` at its first time.
@@ -72,7 +72,7 @@ impl Document {
         self.others.retain(|other| other.name() != old.name());
         self.others.push(old);
         let known = self.others.iter().find(|other| other.name() == name).cloned();
-        self.scene.lab = Some(Lab { step: None, input: known.unwrap_or_else(first) });
+        self.scene.lab = Some(Lab::new(known.unwrap_or_else(first)));
     }
 }
 

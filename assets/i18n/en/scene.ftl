@@ -41,6 +41,7 @@ error-scene-not-one-each = { $path }: there must be one for each of the { $verti
 error-scene-no-texture-coordinates = { $path }: a texture needs texture coordinates, and this mesh has none. Add "uvs" or remove the texture.
 error-scene-window-reversed = { $path }: the window is [xmin, ymin, xmax, ymax], and no minimum may exceed its maximum.
 error-scene-none-there = { $path }: there is none to choose from. Add one, or remove the lab.
+error-scene-no-setting = { $path }: name the one setting in which the two sides differ, such as {"{"}"fill_rule": "inclusive"{"}"}.
 error-scene-no-file-name = { $path }: this is no file name. Write the name of an OBJ file, such as "cube.obj".
 error-scene-draw-out-of-range = { $path }: its vertices leave the range of 32-bit floats (about 3.4e38) when transformed. Scale it down.
 error-scene-camera-out-of-range = { $path }: its matrices leave the range of 32-bit floats (about 3.4e38). Move it nearer, or make near, far, height and angle less extreme.

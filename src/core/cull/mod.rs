@@ -20,6 +20,20 @@ pub enum CullMode {
     Front,
 }
 
+impl CullMode {
+    /// All modes.
+    pub const ALL: [Self; 3] = [Self::None, Self::Back, Self::Front];
+
+    /// Message id of its name.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::None => "word-cull-none",
+            Self::Back => "word-cull-back",
+            Self::Front => "word-cull-front",
+        }
+    }
+}
+
 /// Which turning sense, seen from outside with y up, is the front.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -29,4 +43,17 @@ pub enum FrontFace {
     Ccw,
     /// Clockwise.
     Cw,
+}
+
+impl FrontFace {
+    /// Both, the default first.
+    pub const ALL: [Self; 2] = [Self::Ccw, Self::Cw];
+
+    /// Message id of its name.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Ccw => "word-front-ccw",
+            Self::Cw => "word-front-cw",
+        }
+    }
 }

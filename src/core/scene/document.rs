@@ -3,6 +3,7 @@
 use crate::{
     blend::BlendState,
     clip::line,
+    compare::Setting,
     cull::{CullMode, FrontFace},
     depth::{DepthFormat, DepthState},
     math::Arithmetic,
@@ -268,6 +269,15 @@ pub struct Lab {
     pub step: Option<usize>,
     /// Which lab, with its inputs.
     pub input: LabInput,
+    /// The setting in which side B of a split view differs; `None` if there is one side only.
+    pub compare: Option<Setting>,
+}
+
+impl Lab {
+    /// A lab that opens at its end, with one side.
+    pub fn new(input: LabInput) -> Self {
+        Self { step: None, input, compare: None }
+    }
 }
 
 /// The inputs of each lab.
@@ -316,6 +326,29 @@ impl LabInput {
             Self::ZBuffer { .. } => "z-buffer",
             Self::Transform { .. } => "transform",
             Self::Pipeline => "pipeline",
+        }
+    }
+
+    /// The names of the labs whose algorithms take these very inputs, its own included; none if
+    /// its algorithm has no sibling.
+    pub fn algorithms(&self) -> Vec<&'static str> {
+        match self {
+            Self::ClipLine { .. } => line::Algorithm::ALL.map(line::Algorithm::name).to_vec(),
+            Self::Scanline { .. } | Self::ZBuffer { .. } | Self::Transform { .. } | Self::Pipeline => {
+                Vec::new()
+            }
+        }
+    }
+
+    /// Gives these inputs to the algorithm of another lab; any name but one of
+    /// [`algorithms`](Self::algorithms) changes nothing.
+    pub fn set_algorithm(&mut self, name: &str) {
+        match self {
+            Self::ClipLine { algorithm, .. } => {
+                let named = line::Algorithm::ALL.into_iter().find(|other| other.name() == name);
+                *algorithm = named.unwrap_or(*algorithm);
+            }
+            Self::Scanline { .. } | Self::ZBuffer { .. } | Self::Transform { .. } | Self::Pipeline => {}
         }
     }
 }

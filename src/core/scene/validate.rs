@@ -8,6 +8,7 @@ use super::{
     path::FieldError,
 };
 use crate::{
+    compare::Setting,
     math::Arithmetic,
     transform::{Camera, Projection},
 };
@@ -46,9 +47,22 @@ impl Scene {
             draw(item).map_err(|e| e.within(i).within("draws"))?;
         }
         match &self.lab {
-            Some(lab) => self.lab_input(&lab.input).map_err(|e| e.within("lab")),
+            Some(lab) => self
+                .lab_input(&lab.input)
+                .and_then(|()| self.compare(lab.compare))
+                .map_err(|e| e.within("lab")),
             None => Ok(()),
         }
+    }
+
+    /// Refuses a setting that the open lab does not read.
+    fn compare(&self, setting: Option<Setting>) -> Checked {
+        let Some(setting) = setting.filter(|setting| !setting.applies(self)) else { return Ok(()) };
+        if let (Setting::Arithmetic(other), Some(_)) = (setting, setting.of(self)) {
+            line_arithmetic(other).map_err(|e| e.within("compare"))?;
+        }
+        let problem = Problem::UnknownField { known: Setting::fields(self) };
+        Err(FieldError::at(setting.field(), problem).within("compare"))
     }
 
     fn lab_input(&self, input: &LabInput) -> Checked {
@@ -58,13 +72,7 @@ impl Scene {
                 let [xmin, ymin, xmax, ymax] = *window;
                 refuse_if(xmin > xmax || ymin > ymax, "window", Problem::WindowReversed)?;
                 each_finite(segment).map_err(|e| e.within("segment"))?;
-                // Fixed point is for scan conversion.
-                let known = [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64];
-                let problem = Problem::UnknownName {
-                    name: arithmetic.name().into(),
-                    known: known.map(Arithmetic::name).to_vec(),
-                };
-                refuse_if(!known.contains(arithmetic), "arithmetic", problem)
+                line_arithmetic(*arithmetic)
             }
             LabInput::Scanline { vertices, .. } => match vertices {
                 Some(vertices) => rows("vertices", vertices, finite),
@@ -96,6 +104,14 @@ impl Scene {
             LabInput::Pipeline => Ok(()),
         }
     }
+}
+
+/// Fixed point is for scan conversion.
+fn line_arithmetic(arithmetic: Arithmetic) -> Checked {
+    let known = [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64];
+    let problem =
+        Problem::UnknownName { name: arithmetic.name().into(), known: known.map(Arithmetic::name).to_vec() };
+    refuse_if(!known.contains(&arithmetic), "arithmetic", problem)
 }
 
 fn refuse_if(wrong: bool, field: &str, problem: Problem) -> Checked {

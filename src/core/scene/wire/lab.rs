@@ -1,9 +1,12 @@
 //! The lab of a scene file: a name, and the inputs that this lab has.
 
-use super::super::{
-    document::{Lab, LabInput},
-    error::{Problem, shortened},
-    path::FieldError,
+use super::{
+    super::{
+        document::{Lab, LabInput},
+        error::{Problem, shortened},
+        path::FieldError,
+    },
+    compare::CompareWire,
 };
 use crate::{clip::line::Algorithm, math::Arithmetic};
 use serde::{Deserialize, Serialize};
@@ -33,6 +36,8 @@ pub(super) struct LabWire {
     vertex: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     step: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    compare: Option<CompareWire>,
 }
 
 #[derive(Clone, Copy, Serialize, Deserialize)]
@@ -50,7 +55,7 @@ enum LabName {
 const LINE: &[&str] = &["window", "segment", "arithmetic"];
 
 impl LabName {
-    /// The lab's own algorithm, and the inputs that it has beside `name`, `algorithm` and `step`.
+    /// The lab's own algorithm, and the inputs that it has beside those of all labs.
     fn contract(self) -> (&'static str, &'static [&'static str]) {
         match self {
             Self::CohenSutherland => ("cohen-sutherland", LINE),
@@ -77,6 +82,7 @@ impl LabWire {
             draw: None,
             vertex: None,
             step,
+            compare: None,
         }
     }
 
@@ -94,7 +100,7 @@ impl LabWire {
             ("vertex", self.vertex.is_some()),
         ];
         if let Some((field, _)) = there.into_iter().find(|(field, there)| *there && !inputs.contains(field)) {
-            let known = ["name", "algorithm", "step"].iter().chain(inputs).copied().collect();
+            let known = ["name", "algorithm", "step", "compare"].iter().chain(inputs).copied().collect();
             return Err(FieldError::at(field, Problem::UnknownField { known }));
         }
         match &self.algorithm {
@@ -116,7 +122,7 @@ impl LabWire {
         })
     }
 
-    pub(super) fn into_lab(self) -> Result<Lab, FieldError> {
+    pub(super) fn into_lab(mut self) -> Result<Lab, FieldError> {
         self.check()?;
         let input = match self.name {
             LabName::CohenSutherland => self.clip_line(Algorithm::CohenSutherland)?,
@@ -131,12 +137,21 @@ impl LabWire {
             },
             LabName::Pipeline => LabInput::Pipeline,
         };
-        Ok(Lab { step: self.step, input })
+        let compare = self.compare.take().map(|compare| compare.into_setting(&input)).transpose();
+        Ok(Lab { step: self.step, compare: compare.map_err(|e| e.within("compare"))?, input })
     }
 }
 
 impl From<&Lab> for LabWire {
     fn from(lab: &Lab) -> Self {
+        let mut wire = Self::of_input(lab);
+        wire.compare = lab.compare.map(CompareWire::from);
+        wire
+    }
+}
+
+impl LabWire {
+    fn of_input(lab: &Lab) -> Self {
         match &lab.input {
             LabInput::ClipLine { algorithm, window, segment, arithmetic } => {
                 let name = match algorithm {

@@ -6,7 +6,7 @@ use crate::{
     math::Arithmetic,
     message::Value,
     raster::{FillRule, YAxis},
-    scene::{Lab, LabInput, Scene},
+    scene::{Lab, Scene},
     transform::DepthRange,
 };
 
@@ -51,45 +51,36 @@ pub fn side_b(scene: &Scene) -> Option<Scene> {
 
 /// Every value of every setting that the open lab reads, its own included.
 fn candidates(scene: &Scene) -> Vec<Setting> {
-    let mut all = Vec::new();
-    let Some(Lab { input, .. }) = &scene.lab else { return all };
-    all.extend(input.algorithms().iter().map(|name| Setting::Algorithm(name)));
-    if let LabInput::ClipLine { .. } = input {
-        // Fixed point is for scan conversion.
-        all.extend([Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64].map(Setting::Arithmetic));
-    }
-    let scans = matches!(input, LabInput::Scanline { .. } | LabInput::ZBuffer { .. } | LabInput::Pipeline);
-    let tests = matches!(input, LabInput::ZBuffer { .. } | LabInput::Pipeline);
-    // A lab's own triangles know nothing of cameras, draws and facings.
-    let own = matches!(
-        input,
-        LabInput::Scanline { vertices: Some(_), .. } | LabInput::ZBuffer { triangles: Some(_) }
-    );
-    let places = matches!(input, LabInput::Transform { .. }) || scans && !own;
-    if scans {
-        all.extend(FillRule::ALL.map(Setting::FillRule));
-    }
-    if tests {
-        all.extend(DepthFormat::ALL.map(Setting::DepthFormat));
-    }
-    if tests && !own && !scene.draws.is_empty() {
-        all.extend(CompareFunction::ALL.map(Setting::DepthCompare));
-    }
-    if places {
-        all.extend([false, true].map(Setting::Reversed));
-        all.extend(DepthRange::ALL.map(Setting::DepthRange));
-    }
-    if scans && !own && !scene.draws.is_empty() {
-        all.extend(CullMode::ALL.map(Setting::Cull));
-        all.extend(FrontFace::ALL.map(Setting::Front));
-    }
-    if scans || places {
-        all.extend(YAxis::ALL.map(Setting::YAxis));
-    }
-    all
+    let Some(Lab { input, .. }) = &scene.lab else { return Vec::new() };
+    let algorithms = input.algorithms();
+    let siblings = algorithms.iter().filter(|_| algorithms.len() > 1);
+    siblings.map(|name| Setting::Algorithm(name)).chain(input.settings(scene)).collect()
 }
 
 impl Setting {
+    /// What a rasterizer of given vertices reads.
+    pub(crate) fn of_scan() -> Vec<Self> {
+        FillRule::ALL.map(Self::FillRule).into_iter().chain(YAxis::ALL.map(Self::YAxis)).collect()
+    }
+
+    /// What the way of a vertex to the screen reads.
+    pub(crate) fn of_transform() -> Vec<Self> {
+        [false, true].map(Self::Reversed).into_iter().chain(DepthRange::ALL.map(Self::DepthRange)).collect()
+    }
+
+    /// What decides which triangles of a scene are drawn; nothing if there are none.
+    pub(crate) fn of_facing(scene: &Scene) -> Vec<Self> {
+        let facing = CullMode::ALL.map(Self::Cull).into_iter().chain(FrontFace::ALL.map(Self::Front));
+        facing.filter(|_| !scene.draws.is_empty()).collect()
+    }
+
+    /// What the depth test of a scene reads.
+    pub(crate) fn of_depth(scene: &Scene) -> Vec<Self> {
+        let compares = CompareFunction::ALL.map(Self::DepthCompare).into_iter();
+        let compares = compares.filter(|_| !scene.draws.is_empty());
+        DepthFormat::ALL.map(Self::DepthFormat).into_iter().chain(compares).collect()
+    }
+
     /// Whether the open lab reads this setting and can have this value.
     pub fn applies(self, scene: &Scene) -> bool {
         candidates(scene).contains(&self)
@@ -99,13 +90,7 @@ impl Setting {
     ///
     /// `None` if the scene has none: no lab, or no draws. Draws that disagree count as the first.
     pub fn of(self, scene: &Scene) -> Option<Self> {
-        let input = &scene.lab.as_ref()?.input;
         Some(match self {
-            Self::Algorithm(_) => Self::Algorithm(input.name()),
-            Self::Arithmetic(_) => match input {
-                LabInput::ClipLine { arithmetic, .. } => Self::Arithmetic(*arithmetic),
-                _ => return None,
-            },
             Self::FillRule(_) => Self::FillRule(scene.fill_rule),
             Self::YAxis(_) => Self::YAxis(scene.y_axis),
             Self::DepthFormat(_) => Self::DepthFormat(scene.depth_format),
@@ -114,32 +99,29 @@ impl Setting {
             Self::Reversed(_) => Self::Reversed(scene.reversed),
             Self::Cull(_) => Self::Cull(scene.draws.first()?.cull),
             Self::Front(_) => Self::Front(scene.draws.first()?.front),
+            Self::Algorithm(_) | Self::Arithmetic(_) => return scene.lab.as_ref()?.input.setting(self),
         })
     }
 
-    /// Makes side B's scene from side A's. The scene no longer compares then; one that the setting
-    /// does not apply to stays as it is otherwise.
+    /// Makes side B's scene from side A's; it no longer compares then. What the lab does not read
+    /// changes nothing that it shows.
     pub fn apply(self, scene: &mut Scene) {
         if let Some(Lab { input, compare, .. }) = &mut scene.lab {
             *compare = None;
-            match (self, input) {
-                (Self::Algorithm(name), input) => input.set_algorithm(name),
-                (Self::Arithmetic(value), LabInput::ClipLine { arithmetic, .. }) => *arithmetic = value,
-                _ => {}
-            }
+            input.set(self);
         }
+        let draws = scene.draws.iter_mut();
         match self {
-            Self::Algorithm(_) | Self::Arithmetic(_) => {}
             Self::FillRule(rule) => scene.fill_rule = rule,
             Self::YAxis(axis) => scene.y_axis = axis,
             Self::DepthFormat(format) => scene.depth_format = format,
-            Self::DepthCompare(compare) => {
-                scene.draws.iter_mut().for_each(|draw| draw.depth.compare = compare)
-            }
+            Self::DepthCompare(compare) => draws.for_each(|draw| draw.depth.compare = compare),
             Self::DepthRange(range) => scene.depth_range = range,
             Self::Reversed(reversed) => scene.reversed = reversed,
-            Self::Cull(cull) => scene.draws.iter_mut().for_each(|draw| draw.cull = cull),
-            Self::Front(front) => scene.draws.iter_mut().for_each(|draw| draw.front = front),
+            Self::Cull(cull) => draws.for_each(|draw| draw.cull = cull),
+            Self::Front(front) => draws.for_each(|draw| draw.front = front),
+            // Inputs of the lab.
+            Self::Algorithm(_) | Self::Arithmetic(_) => {}
         }
     }
 
@@ -192,10 +174,29 @@ impl Setting {
         }
     }
 
-    /// The names of all fields of settings that the open lab reads.
-    pub fn fields(scene: &Scene) -> Vec<&'static str> {
-        let mut fields: Vec<_> = candidates(scene).into_iter().map(Self::field).collect();
+    /// Its value as the scene file names it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Algorithm(name) => name,
+            Self::Arithmetic(arithmetic) => arithmetic.name(),
+            Self::FillRule(rule) => rule.name(),
+            Self::YAxis(axis) => axis.name(),
+            Self::DepthFormat(format) => format.name(),
+            Self::DepthCompare(compare) => compare.name(),
+            Self::DepthRange(range) => range.name(),
+            Self::Reversed(reversed) => ["false", "true"][usize::from(reversed)],
+            Self::Cull(cull) => cull.name(),
+            Self::Front(front) => front.name(),
+        }
+    }
+
+    /// What could stand in its place: the values of its field, none if the lab does not read it,
+    /// and the fields that the lab reads.
+    pub(crate) fn known(self, scene: &Scene) -> (Vec<&'static str>, Vec<&'static str>) {
+        let all = candidates(scene);
+        let values = all.iter().filter(|other| other.field() == self.field()).map(|other| other.name());
+        let mut fields: Vec<_> = all.iter().map(|other| other.field()).collect();
         fields.dedup();
-        fields
+        (values.collect(), fields)
     }
 }

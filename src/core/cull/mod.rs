@@ -24,6 +24,15 @@ impl CullMode {
     /// All modes.
     pub const ALL: [Self; 3] = [Self::None, Self::Back, Self::Front];
 
+    /// The name in scene files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Back => "back",
+            Self::Front => "front",
+        }
+    }
+
     /// Message id of its name.
     pub fn word(self) -> &'static str {
         match self {
@@ -48,6 +57,14 @@ pub enum FrontFace {
 impl FrontFace {
     /// Both, the default first.
     pub const ALL: [Self; 2] = [Self::Ccw, Self::Cw];
+
+    /// The name in scene files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ccw => "ccw",
+            Self::Cw => "cw",
+        }
+    }
 
     /// Message id of its name.
     pub fn word(self) -> &'static str {

@@ -76,6 +76,14 @@ impl YAxis {
     /// Both, the default first.
     pub const ALL: [Self; 2] = [Self::Down, Self::Up];
 
+    /// The name in scene files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Down => "down",
+            Self::Up => "up",
+        }
+    }
+
     /// Message id of its name.
     pub fn word(self) -> &'static str {
         match self {

@@ -3,7 +3,7 @@
 use super::Player;
 use crate::{
     compare::Fact,
-    explain::{Explain, Formula, Level, Mark, Marker, Table, View},
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, Table, View},
     message::Message,
 };
 
@@ -52,6 +52,8 @@ pub trait Playback: Send {
     fn ends(&self, level: Level) -> Vec<usize>;
     /// The result at the cursor as facts.
     fn facts(&self) -> Vec<Fact>;
+    /// What the run costs up to the cursor, and as a whole. Cost: linear in the run.
+    fn operations(&self) -> [Operations; 2];
     /// The event that led to the cursor, for logs.
     fn event_text(&self) -> Option<String>;
     /// The event that led to the cursor, as data.
@@ -167,6 +169,17 @@ impl<S: Explain> Playback for Player<S> {
         let mut out = Vec::new();
         self.state.facts(&mut out);
         out
+    }
+
+    fn operations(&self) -> [Operations; 2] {
+        let [mut so_far, mut whole] = [Operations::NONE; 2];
+        self.for_each(|step, event| {
+            whole += S::operations(event);
+            if step <= self.cursor {
+                so_far = whole;
+            }
+        });
+        [so_far, whole]
     }
 
     fn event_text(&self) -> Option<String> {

@@ -2,11 +2,10 @@
 
 use crate::{
     blend::BlendState,
-    clip::line,
     compare::Setting,
     cull::{CullMode, FrontFace},
     depth::{DepthFormat, DepthState},
-    math::Arithmetic,
+    labs::LabInput,
     raster::{FillRule, YAxis},
     stencil::StencilState,
     transform::{Camera, DepthRange},
@@ -275,80 +274,7 @@ pub struct Lab {
 
 impl Lab {
     /// A lab that opens at its end, with one side.
-    pub fn new(input: LabInput) -> Self {
-        Self { step: None, input, compare: None }
-    }
-}
-
-/// The inputs of each lab.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LabInput {
-    /// A line against a window.
-    ClipLine {
-        /// The lab's own algorithm; all have the same inputs.
-        algorithm: line::Algorithm,
-        /// xmin, ymin, xmax, ymax; y up; closed.
-        window: [f32; 4],
-        /// x and y of the first end, x and y of the second.
-        segment: [f32; 4],
-        /// What the cuts are computed in.
-        arithmetic: Arithmetic,
-    },
-    /// One triangle, row by row.
-    Scanline {
-        /// In pixels, y growing as the scene says; `None` takes a triangle of the scene.
-        vertices: Option<[[f32; 2]; 3]>,
-        /// Which of the pipeline's screen triangles, when there are no vertices.
-        triangle: usize,
-    },
-    /// Triangles, fragment by fragment.
-    ZBuffer {
-        /// In pixels with depth, y growing as the scene says; `None` takes the scene's.
-        triangles: Option<Vec<[[f32; 3]; 3]>>,
-    },
-    /// One vertex through all the spaces.
-    Transform {
-        /// Which draw.
-        draw: usize,
-        /// Which of its vertices.
-        vertex: usize,
-    },
-    /// The whole scene, stage by stage.
-    Pipeline,
-}
-
-impl LabInput {
-    /// The lab's name, on the command line and in scene files.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::ClipLine { algorithm, .. } => algorithm.name(),
-            Self::Scanline { .. } => "scanline",
-            Self::ZBuffer { .. } => "z-buffer",
-            Self::Transform { .. } => "transform",
-            Self::Pipeline => "pipeline",
-        }
-    }
-
-    /// The names of the labs whose algorithms take these very inputs, its own included; none if
-    /// its algorithm has no sibling.
-    pub fn algorithms(&self) -> Vec<&'static str> {
-        match self {
-            Self::ClipLine { .. } => line::Algorithm::ALL.map(line::Algorithm::name).to_vec(),
-            Self::Scanline { .. } | Self::ZBuffer { .. } | Self::Transform { .. } | Self::Pipeline => {
-                Vec::new()
-            }
-        }
-    }
-
-    /// Gives these inputs to the algorithm of another lab; any name but one of
-    /// [`algorithms`](Self::algorithms) changes nothing.
-    pub fn set_algorithm(&mut self, name: &str) {
-        match self {
-            Self::ClipLine { algorithm, .. } => {
-                let named = line::Algorithm::ALL.into_iter().find(|other| other.name() == name);
-                *algorithm = named.unwrap_or(*algorithm);
-            }
-            Self::Scanline { .. } | Self::ZBuffer { .. } | Self::Transform { .. } | Self::Pipeline => {}
-        }
+    pub fn new(input: impl Into<LabInput>) -> Self {
+        Self { step: None, input: input.into(), compare: None }
     }
 }

@@ -1,7 +1,6 @@
 //! The setting in which side B differs: an object with one field.
 
 use super::super::{
-    document::LabInput,
     error::{Problem, shortened},
     path::FieldError,
 };
@@ -9,6 +8,7 @@ use crate::{
     compare::Setting,
     cull::{CullMode, FrontFace},
     depth::{CompareFunction, DepthFormat},
+    labs::LabInput,
     math::Arithmetic,
     raster::{FillRule, YAxis},
     transform::DepthRange,

@@ -7,7 +7,7 @@ use super::{
 use crate::{
     clip::line::{Border, End, Outcode, Point, Segment, Window, facts, view},
     compare::Fact,
-    explain::{Explain, Formula, Label, Level, Mark, Marker, Role, Row, Table, View},
+    explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::Arithmetic,
     message::{Message, Value},
     replay::State,
@@ -121,6 +121,14 @@ impl Explain for Snapshot {
             Event::Reject | Event::GiveUp => 5,
             Event::Choose { .. } => 6,
             Event::Cut { .. } => 7,
+        }
+    }
+
+    fn operations(event: &Event) -> Operations {
+        match event {
+            Event::Code { .. } => Operations::new(4, 0, 0),
+            Event::Cut { .. } => Operations::new(4, 1, 1),
+            _ => Operations::NONE,
         }
     }
 

@@ -6,6 +6,7 @@ mod cli;
 mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
+mod compare;
 mod compute;
 mod coverage;
 mod house;

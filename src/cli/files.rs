@@ -136,7 +136,7 @@ pub(crate) fn open_lab(lab: &str, path: &Path) -> Result<Scene, Failure> {
     // What needs no input beyond the scene's triangles starts on any scene that has some.
     match labs::default_input(lab) {
         Some(input) if !from_request && input.is_of_scene() => {
-            scene.lab = Some(Lab { step: None, input });
+            scene.lab = Some(Lab::new(input));
             Ok(scene)
         }
         _ => {

@@ -9,6 +9,7 @@ mod operations;
 pub use operations::Operations;
 
 use crate::{
+    compare::Fact,
     message::{Message, Value},
     replay::State,
 };
@@ -319,4 +320,9 @@ pub trait Explain: State {
     fn marks(&self, event: Option<&Self::Event>, out: &mut Vec<Mark>);
     /// What part of the plane the drawing shows; the same at every step.
     fn view(&self) -> View;
+    /// The result so far as facts, in any order: what a comparison of two runs looks at.
+    ///
+    /// Values as computed, not as drawn. Every registered lab has some at the end of every run
+    /// that yields anything (tested).
+    fn facts(&self, _out: &mut Vec<Fact>) {}
 }

@@ -66,6 +66,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "labs"
     "scene"
     "ui"
+    "compare"
     "pipeline"
     "transform"
     "back-face"

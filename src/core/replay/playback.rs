@@ -2,6 +2,7 @@
 
 use super::Player;
 use crate::{
+    compare::Fact,
     explain::{Explain, Formula, Level, Mark, Marker, Operations, Table, View},
     message::Message,
 };
@@ -47,6 +48,10 @@ pub trait Playback: Send {
     fn view(&self) -> View;
     /// Marks of the timeline with their steps, in order.
     fn markers(&self) -> Vec<(usize, Marker)>;
+    /// The steps that end an event of `level` or coarser, in order.
+    fn ends(&self, level: Level) -> Vec<usize>;
+    /// The result at the cursor as facts.
+    fn facts(&self) -> Vec<Fact>;
     /// What the run costs up to the cursor, and as a whole. Cost: linear in the run.
     fn operations(&self) -> [Operations; 2];
     /// The event that led to the cursor, for logs.
@@ -151,6 +156,18 @@ impl<S: Explain> Playback for Player<S> {
     fn markers(&self) -> Vec<(usize, Marker)> {
         let mut out = Vec::new();
         self.for_each(|step, event| out.extend(S::marker(event).map(|marker| (step, marker))));
+        out
+    }
+
+    fn ends(&self, level: Level) -> Vec<usize> {
+        let mut out = Vec::new();
+        self.for_each(|step, event| out.extend((S::level(event) <= level).then_some(step)));
+        out
+    }
+
+    fn facts(&self) -> Vec<Fact> {
+        let mut out = Vec::new();
+        self.state.facts(&mut out);
         out
     }
 

@@ -1,10 +1,12 @@
 //! Headless tests over core, figure and cli: laws that hold for every algorithm, golden logs,
 //! conformance. No display, no network, no clock.
 
+mod back_face;
 mod cli;
 mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
+mod compare;
 mod compute;
 mod coverage;
 mod house;

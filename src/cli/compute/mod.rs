@@ -166,7 +166,7 @@ pub(crate) fn lab(request: &Request) -> Result<Scene, Refusal> {
 
 /// A scene without triangles that opens a lab at its end.
 fn lab_scene(size: [u32; 2], input: impl Into<LabInput>) -> Scene {
-    Scene { lab: Some(Lab { step: None, input: input.into() }), ..Scene::empty(size) }
+    Scene { lab: Some(Lab::new(input)), ..Scene::empty(size) }
 }
 
 fn write_line(answer: &impl Serialize, output: &mut dyn Write) -> io::Result<()> {

@@ -11,6 +11,7 @@ pub(in crate::clip) mod intersection;
 pub mod liang_barsky;
 
 use crate::{
+    compare::Fact,
     explain::{Grid, Piece, View},
     math::Arithmetic,
     message::Value,
@@ -256,6 +257,15 @@ pub(in crate::clip) fn view(points: impl IntoIterator<Item = Point>, window: &Wi
         max[axis] = (max[axis] + margin).min(f32::MAX / 4.0);
     }
     View { min, max, y_up: true, grid: Grid::Units }
+}
+
+/// What the labs of this stage come to: the answer, and where the ends are if something is visible.
+fn facts(accepted: Option<bool>, ends: Segment, out: &mut Vec<Fact>) {
+    let Some(accepted) = accepted else { return };
+    out.push(Fact::answer(if accepted { "word-accepted" } else { "word-rejected" }));
+    if accepted {
+        out.extend(End::ALL.map(|end| Fact::point(end.name(), ends[end as usize])));
+    }
 }
 
 /// The numbers of how far along from a1 to a2 the border c lies, `= (c − a1) / (a2 − a1) = t`, and t.

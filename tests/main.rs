@@ -3,8 +3,10 @@
 
 mod back_face;
 mod cli;
+mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
+mod compare;
 mod compute;
 mod coverage;
 mod house;
@@ -19,6 +21,7 @@ mod scanline;
 mod scene;
 mod scene_errors;
 mod support;
+mod sutherland_hodgman;
 mod tour;
 mod transform;
 mod z_buffer;

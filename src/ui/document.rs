@@ -22,7 +22,7 @@ impl Document {
     /// A document of a scene; a scene without a lab opens the overview.
     pub(crate) fn new(mut scene: Scene) -> Self {
         // The step belongs to the view.
-        scene.lab.get_or_insert(Lab { step: None, input: LabInput::PIPELINE }).step = None;
+        scene.lab.get_or_insert(Lab::new(LabInput::PIPELINE)).step = None;
         Self { scene, others: Vec::new() }
     }
 
@@ -61,7 +61,7 @@ impl Document {
 
     /// The inputs of the open lab, to edit.
     pub(crate) fn input_mut(&mut self) -> &mut LabInput {
-        &mut self.scene.lab.get_or_insert(Lab { step: None, input: LabInput::PIPELINE }).input
+        &mut self.scene.lab.get_or_insert(Lab::new(LabInput::PIPELINE)).input
     }
 
     /// Opens another lab with the inputs it had, or with `first` at its first time.

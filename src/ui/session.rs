@@ -40,7 +40,7 @@ impl Session {
             lab.step = step;
         }
         let alone = |input: &LabInput| Scene {
-            lab: Some(Lab { step: None, input: input.clone() }),
+            lab: Some(Lab::new(input.clone())),
             ..Scene::empty([8, 8])
         };
         let others = document.others().iter().map(alone).collect();

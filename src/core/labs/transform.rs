@@ -2,7 +2,9 @@
 
 use super::{Family, nothing_to_step};
 use crate::{
+    compare::Setting,
     message::Message,
+    raster::YAxis,
     replay::{Budget, Playback},
     scene::{Checked, Problem, Scene, refuse_if},
     transform::chain::{self, Chain},
@@ -46,6 +48,10 @@ impl Family for Transform {
         let mesh = draw.geometry.mesh().ok_or_else(nothing)?;
         let position = *mesh.positions.get(self.vertex).ok_or_else(nothing)?;
         Ok(Box::new(chain::play(vec![position], Chain::of(scene, draw), budget)))
+    }
+
+    fn settings(&self, _: &Scene) -> Vec<Setting> {
+        Setting::of_transform().into_iter().chain(YAxis::ALL.map(Setting::YAxis)).collect()
     }
 }
 

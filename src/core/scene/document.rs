@@ -2,6 +2,7 @@
 
 use crate::{
     blend::BlendState,
+    compare::Setting,
     cull::{CullMode, FrontFace},
     depth::{DepthFormat, DepthState},
     labs::LabInput,
@@ -267,4 +268,13 @@ pub struct Lab {
     pub step: Option<usize>,
     /// Which lab, with its inputs.
     pub input: LabInput,
+    /// The setting in which side B of a split view differs; `None` if there is one side only.
+    pub compare: Option<Setting>,
+}
+
+impl Lab {
+    /// A lab that opens at its end, with one side.
+    pub fn new(input: impl Into<LabInput>) -> Self {
+        Self { step: None, input: input.into(), compare: None }
+    }
 }

@@ -49,9 +49,7 @@ impl Document {
         if !std::iter::once(self.input()).chain(&self.others).all(same) {
             return false;
         }
-        // The labs are compared: what else there is, without a copy of the meshes.
-        let bare = |document: &Self| Scene { lab: None, ..document.scene.clone() };
-        bare(self) == bare(clean)
+        self.scene.same_picture(&clean.scene)
     }
 
     /// The inputs of the open lab.

@@ -3,7 +3,7 @@
 use super::{Degeneracy, Event, Input, Numbers, Outcome, Test, Why, formulas, picture};
 use crate::{
     cull::{CullMode, Facing, FrontFace},
-    explain::{Explain, Formula, Level, Mark, Marker, Role, Row, Table, View},
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, Role, Row, Table, View},
     message::{Message, Value},
     replay::State,
 };
@@ -163,6 +163,19 @@ impl Explain for Snapshot {
             Event::Fate { .. } => Level::Primitive,
             Event::Answer { .. } | Event::Compare { .. } | Event::NoArea { .. } => Level::Row,
             _ => Level::Detail,
+        }
+    }
+
+    fn operations(event: &Event) -> Operations {
+        match event {
+            // The eye is taken to object space once for all triangles.
+            Event::Terms { test: Test::Plane } => Operations::new(0, 9, 0),
+            Event::Terms { .. } => Operations::new(0, 6, 0),
+            Event::Value { test: Test::Ndc, .. } => Operations::new(0, 2, 0),
+            Event::Value { test: Test::Screen, .. } => Operations::new(0, 1, 0),
+            Event::Value { .. } => Operations::new(0, 3, 0),
+            Event::Answer { .. } => Operations::new(1, 0, 0),
+            _ => Operations::NONE,
         }
     }
 

@@ -45,7 +45,6 @@ struct Pending {
 }
 
 /// What came of it.
-#[derive(Debug)]
 struct Evaluated {
     pipeline: Option<Pipeline>,
     run: Option<Played>,

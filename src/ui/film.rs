@@ -123,9 +123,9 @@ impl App {
         }
     }
 
-    /// What the timeline shows of work that goes on.
-    pub(crate) fn busy(&self, ctx: &Context) -> Option<Busy> {
-        let [done, all] = self.film.as_ref()?.task.progress(ctx.input(|input| input.time))?;
+    /// What the timeline shows of it.
+    pub(crate) fn filming(&self, now: f64) -> Option<Busy> {
+        let [done, all] = self.film.as_ref()?.task.progress(now)?;
         let message = Message::new("ui-film-frame").with("number", done + 1).with("all", all);
         Some(Busy {
             text: self.words.message(&message),

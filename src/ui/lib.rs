@@ -10,6 +10,7 @@
 mod app;
 mod commands;
 mod document;
+mod evaluation;
 mod export;
 mod face;
 mod files;

@@ -73,7 +73,7 @@ impl Document {
         self.others.retain(|other| other.name() != old.name());
         self.others.push(old);
         let known = self.others.iter().find(|other| other.name() == name).cloned();
-        self.scene.lab = Some(Lab { step: None, input: known.unwrap_or_else(first) });
+        self.scene.lab = Some(Lab::new(known.unwrap_or_else(first)));
     }
 }
 

@@ -28,6 +28,15 @@ pub enum Level {
 impl Level {
     /// From coarse to fine.
     pub const ALL: [Self; 3] = [Self::Primitive, Self::Row, Self::Detail];
+
+    /// The name on the command line and in traces.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Primitive => "primitive",
+            Self::Row => "row",
+            Self::Detail => "detail",
+        }
+    }
 }
 
 /// What a mark means. The theme maps a role to a colour AND a marker AND a dash.

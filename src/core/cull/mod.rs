@@ -1,7 +1,16 @@
 //! Culling: which triangles need no further work, decided exactly and once.
 
+pub mod back_face;
+pub mod camera_normal;
+pub mod degenerate;
 pub mod facing;
 pub mod frustum;
+pub mod ndc_normal;
+pub mod number;
+pub mod object_eye;
+pub mod plane_equation;
+pub mod screen_area;
+pub mod xyw_determinant;
 
 pub use facing::{Facing, facing};
 

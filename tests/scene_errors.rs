@@ -1,6 +1,7 @@
 //! What is wrong with a scene file is named: by its path, or by line and column.
 
 use rasterscope_core::{
+    labs,
     message::{Message, Value},
     scene::{MAX_SCENE_BYTES, Scene, SceneError, preset},
 };
@@ -34,6 +35,10 @@ fn a_bad_field_is_named_by_its_path() {
         scene(&format!(r#""size":[4,4],"draws":[{{"vertices":{tri}}},{{"vertices":{tri},{fields}}}]"#))
     };
     let bare = |fields: &str| scene(&format!(r#""size":[4,4],"draws":[{{"vertices":[]}},{{{fields}}}]"#));
+    let line = |compare: &str| {
+        let input = r#""window":[0,0,1,1],"segment":[0,0,1,1]"#;
+        top(&format!(r#""lab":{{"name":"cohen-sutherland",{input},"compare":{compare}}}"#))
+    };
     let cases = [
         // Missing and unknown.
         (scene(r#""draws":[]"#), "missing", "size"),
@@ -138,6 +143,26 @@ fn a_bad_field_is_named_by_its_path() {
         (top(r#""lab":{"name":"z-buffer","step":-1}"#), "negative", "lab.step"),
         (top(r#""lab":{"name":"scanline","algorithm":"tiled"}"#), "unknown-name", "lab.algorithm"),
         (top(r#""lab":{"name":"transform"}"#), "none-there", "lab.draw"),
+        // A comparison names one setting that the lab reads.
+        (top(r#""lab":{"name":"pipeline","compare":{}}"#), "no-setting", "lab.compare"),
+        (top(r#""lab":{"name":"pipeline","compare":{"fill":1}}"#), "unknown-field", "lab.compare.fill"),
+        (
+            top(r#""lab":{"name":"pipeline","compare":{"fill_rule":"x"}}"#),
+            "unknown-name",
+            "lab.compare.fill_rule",
+        ),
+        (
+            top(r#""lab":{"name":"scanline","compare":{"arithmetic":"f32"}}"#),
+            "unknown-field",
+            "lab.compare.arithmetic",
+        ),
+        (
+            top(r#""lab":{"name":"pipeline","compare":{"fill_rule":"strict","y_axis":"up"}}"#),
+            "both",
+            "lab.compare.y_axis",
+        ),
+        (line(r#"{"algorithm":"scanline"}"#), "unknown-name", "lab.compare.algorithm"),
+        (line(r#"{"arithmetic":"fixed-8"}"#), "unknown-name", "lab.compare.arithmetic"),
         (
             top(r#""lab":{"name":"cohen-sutherland","window":[1,0,0,1],"segment":[0,0,1,1]}"#),
             "window-reversed",
@@ -174,7 +199,7 @@ fn an_image_of_too_many_pixels_is_refused_at_the_limit() {
 fn an_unknown_lab_is_told_the_known_ones() {
     let error = Scene::from_json(br#"{"rasterscope":1,"size":[1,1],"draws":[],"lab":{"name":"x"}}"#);
     let message = error.expect_err("there is no such lab").message();
-    let known = Value::text("cohen-sutherland, liang-barsky, scanline, z-buffer, transform, pipeline");
+    let known = Value::text(labs::ALL.iter().map(|lab| lab.name).collect::<Vec<_>>().join(", "));
     assert_eq!((arg(&message, "name"), arg(&message, "known")), (Some(Value::text("x")), Some(known)));
 }
 

@@ -8,7 +8,7 @@ use rasterscope_core::{
     message::{Message, Value},
     pipeline::out_of_range,
     scene::{
-        Lab, LabInput, MODEL_SIZE, Mesh, PRESETS, Preset, Scene, SceneError, model as built_in_model, preset,
+        Lab, MODEL_SIZE, Mesh, PRESETS, Preset, Scene, SceneError, model as built_in_model, preset,
         scene_from_obj,
     },
 };
@@ -48,36 +48,47 @@ fn name(path: &Path) -> Value {
     Value::text(path.display())
 }
 
+/// [`write_whole`], with a sentence that says what is wrong.
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_whole(path, bytes).map_err(|error| {
+        let target = followed(path);
+        let message = |id, why| Message::new(id).with("file", name(path)).with("why", why);
+        Failure::work(&match target.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+            Some(folder) if !folder.exists() => {
+                Message::new("error-no-folder").with("file", name(path)).with("folder", name(folder))
+            }
+            _ if is_read_only(&target) => message("error-cannot-write", Value::Word("word-file-read-only")),
+            _ => message("error-cannot-write", reason(&error)),
+        })
+    })
+}
+
 /// Writes a file whole or not at all; what stood there before stays until the new one is whole.
 ///
 /// A symbolic link stays one: what it points to is written. A file keeps its permissions, and one
 /// that may not be written is refused, though its folder would let it be replaced.
-pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let target = followed(path);
-    let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty());
-    if let Some(folder) = folder.filter(|folder| !folder.exists()) {
-        let message = Message::new("error-no-folder").with("file", name(path));
-        return Err(Failure::work(&message.with("folder", name(folder))));
-    }
-    let refuse =
-        |why| Failure::work(&Message::new("error-cannot-write").with("file", name(path)).with("why", why));
     let old = fs::metadata(&target).ok().map(|old| old.permissions());
     if old.is_some() {
-        if old.as_ref().is_some_and(fs::Permissions::readonly) {
-            return Err(refuse(Value::Word("word-file-read-only")));
+        if is_read_only(&target) {
+            return Err(io::ErrorKind::PermissionDenied.into());
         }
-        File::options().write(true).open(&target).map_err(|error| refuse(reason(&error)))?;
+        File::options().write(true).open(&target)?;
     }
     let mut part = target.clone().into_os_string();
     part.push(format!(".{}.part", std::process::id()));
     let written = fs::write(&part, bytes)
         .and_then(|()| old.map_or(Ok(()), |old| fs::set_permissions(&part, old)))
         .and_then(|()| fs::rename(&part, &target));
-    written.map_err(|error| {
-        // What cannot be removed was not written either.
+    written.inspect_err(|_| {
+        // What cannot be removed was not written either; the first error is the one to report.
         let _ = fs::remove_file(&part);
-        refuse(reason(&error))
     })
+}
+
+fn is_read_only(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|file| file.permissions().readonly())
 }
 
 /// Where a chain of symbolic links leads, also if nothing is there yet.
@@ -99,15 +110,21 @@ pub(crate) fn make_folder(path: &Path) -> Result<(), Failure> {
 /// What a FILE holds.
 #[derive(Debug)]
 enum Content {
-    Scene(Scene),
+    Scene(Box<Scene>),
     Request(Request),
+}
+
+impl Content {
+    fn scene(scene: Scene) -> Self {
+        Self::Scene(Box::new(scene))
+    }
 }
 
 /// The scene of a FILE with its models loaded; the default preset without a FILE.
 pub fn open_scene(path: Option<&Path>) -> Result<Scene, Failure> {
     let Some(path) = path else { return open_preset(&PRESETS[0]) };
     match open(path)? {
-        Content::Scene(scene) => Ok(scene),
+        Content::Scene(scene) => Ok(*scene),
         Content::Request(_) => {
             Err(Failure::work(&Message::new("error-request-is-no-scene").with("file", name(path))))
         }
@@ -117,7 +134,7 @@ pub fn open_scene(path: Option<&Path>) -> Result<Scene, Failure> {
 /// The scene of a FILE, or of the request that it holds, with `lab` opened on it.
 pub(crate) fn open_lab(lab: &str, path: &Path) -> Result<Scene, Failure> {
     let (mut scene, from_request) = match open(path)? {
-        Content::Scene(scene) => (scene, false),
+        Content::Scene(scene) => (*scene, false),
         Content::Request(request) => {
             let scene = compute::lab(&request).map_err(|refusal| inside(path, &refusal.message))?;
             (in_range(path, scene)?, true)
@@ -129,8 +146,8 @@ pub(crate) fn open_lab(lab: &str, path: &Path) -> Result<Scene, Failure> {
     }
     // What needs no input beyond the scene's triangles starts on any scene that has some.
     match labs::default_input(lab) {
-        Some(input) if !from_request && !matches!(input, LabInput::ClipLine { .. }) => {
-            scene.lab = Some(Lab { step: None, input });
+        Some(input) if !from_request && input.is_of_scene() => {
+            scene.lab = Some(Lab::new(input));
             Ok(scene)
         }
         _ => {
@@ -156,7 +173,7 @@ fn open(path: &Path) -> Result<Content, Failure> {
 fn built_in(path: &Path) -> Option<Result<Content, Failure>> {
     let name = path.to_str()?;
     if let Some(preset) = preset(name.strip_suffix(".json").unwrap_or(name)) {
-        return Some(open_preset(preset).map(Content::Scene));
+        return Some(open_preset(preset).map(Content::scene));
     }
     built_in_model(name).map(|bytes| model(path, bytes))
 }
@@ -178,7 +195,7 @@ fn content(path: &Path, bytes: &[u8]) -> Result<Content, Failure> {
     {
         return Ok(Content::Request(request));
     }
-    scene(path, Scene::from_json(bytes), path.parent()).map(Content::Scene)
+    scene(path, Scene::from_json(bytes), path.parent()).map(Content::scene)
 }
 
 /// Whether one of the first lines is a vertex.
@@ -192,7 +209,7 @@ fn looks_like_obj(text: &[u8]) -> bool {
 fn model(path: &Path, bytes: &[u8]) -> Result<Content, Failure> {
     let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
     let mesh = Mesh::from_obj(bytes).map_err(|error| Failure::work(&error.named(&file).message()))?;
-    in_range(path, scene_from_obj(&file, mesh, MODEL_SIZE)).map(Content::Scene)
+    in_range(path, scene_from_obj(&file, mesh, MODEL_SIZE)).map(Content::scene)
 }
 
 fn scene(path: &Path, scene: Result<Scene, SceneError>, folder: Option<&Path>) -> Result<Scene, Failure> {

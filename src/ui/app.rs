@@ -3,6 +3,7 @@
 use crate::{
     document::{Document, ViewState},
     face::Command,
+    film::Film,
     keeping::Kept,
     labs::{self, Lab},
     overview::Overview,
@@ -16,10 +17,10 @@ use crate::{
 use egui::{Context, Ui};
 use rasterscope_core::{
     history::History,
-    labs as core_labs,
+    labs::{self as core_labs, LabInput},
     message::Message,
     replay::Budget,
-    scene::{LabInput, Scene},
+    scene::Scene,
 };
 use rasterscope_figure::words::Words;
 use std::{cell::RefCell, rc::Rc};
@@ -43,6 +44,8 @@ pub struct App {
     /// The preset that was opened, and what it was; no longer chosen once something is edited.
     pub(crate) preset: Option<(&'static str, Scene)>,
     pub(crate) notice: Option<Notice>,
+    /// The animated picture that is being made.
+    pub(crate) film: Option<Film>,
     /// Where the document came from, and what was last written there.
     pub(crate) path: Option<String>,
     /// The document as it was opened or saved; `None`: its edits are in no file.
@@ -83,6 +86,7 @@ impl App {
             names,
             preset: None,
             notice: None,
+            film: None,
             path: None,
             clean: None,
             kept: Kept::default(),
@@ -111,9 +115,11 @@ impl App {
             Purpose::Open => Command::Open(path),
             Purpose::Save => Command::SaveAs(path),
             Purpose::Picture => Command::Picture(path),
+            Purpose::Film => Command::Film(path),
         }));
         commands.extend(crate::shell::keys::pressed(&ctx, self.canvas.handles()));
         self.execute(&ctx, commands, platform);
+        self.end_film(&ctx, platform);
         self.play(&ctx);
         self.update();
 
@@ -186,7 +192,7 @@ impl App {
 
     /// Opens a lab of the registry; not an edit, so undo does not close it.
     pub(crate) fn open_lab(&mut self, name: &'static str) {
-        self.document.open_lab(name, || core_labs::default_input(name).unwrap_or(LabInput::Pipeline));
+        self.document.open_lab(name, || core_labs::default_input(name).unwrap_or(LabInput::PIPELINE));
         self.view.due = None;
         self.canvas.fit();
     }

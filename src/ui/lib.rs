@@ -13,6 +13,7 @@ mod document;
 mod export;
 mod face;
 mod files;
+mod film;
 mod keeping;
 mod labs;
 mod overview;
@@ -23,6 +24,7 @@ mod presets;
 mod run;
 mod session;
 mod shell;
+mod task;
 mod theme;
 mod widgets;
 

@@ -42,7 +42,7 @@ impl App {
             title: self.words.word(name),
             subtitle: self.subtitle(),
             modified: self.modified(),
-            about: self.words.word(about(name)),
+            about: self.words.word(&format!("{name}-about")),
             lab: name,
             preset: self
                 .preset
@@ -80,11 +80,12 @@ impl App {
                 .frame(plain(look.panel, Margin::ZERO))
                 .show(ui, |ui| notice::show(ui, &face, notice));
         }
+        let busy = self.busy(ui.ctx());
         Panel::bottom("timeline")
             .exact_size(if look.projector() { 76.0 } else { 64.0 })
             .resizable(false)
             .frame(plain(look.panel, Margin::ZERO))
-            .show(ui, |ui| timeline::show(ui, &face, self.run.shown(), &self.view));
+            .show(ui, |ui| timeline::show(ui, &face, self.run.shown(), &self.view, busy.as_ref()));
         if !narrow {
             Panel::left("choices")
                 .exact_size(CHOICES[usize::from(look.projector())])
@@ -217,17 +218,5 @@ impl App {
             (None, Some(preset)) => preset.title.clone(),
             (None, None) => self.names.text(&self.words, &self.document.scene.name),
         }
-    }
-}
-
-/// The message that says in one sentence what a lab is about.
-fn about(lab: &str) -> &'static str {
-    match lab {
-        "pipeline" => "pipeline-about",
-        "transform" => "transform-about",
-        "cohen-sutherland" => "cohen-sutherland-about",
-        "liang-barsky" => "liang-barsky-about",
-        "scanline" => "scanline-about",
-        _ => "z-buffer-about",
     }
 }

@@ -2,23 +2,19 @@
 
 use rasterscope_core::{
     clip::line::{Algorithm, Outcode, Segment, Window, cohen_sutherland, liang_barsky},
+    labs,
     math::{Arithmetic, Tally},
-    message::Message,
-    scene::{LabInput, Scene},
+    scene::Scene,
     trace::NoTrace,
 };
 use serde::Serialize;
 
-use super::{
-    Request, lab_scene,
-    refusal::{Refusal, text},
-    wide,
-};
+use super::{Refusal, Request, lab_scene, wide};
 
 /// What a `clip_line` request asks for.
 struct Input {
     algorithm: Algorithm,
-    window: [f32; 4],
+    window: Window,
     segment: [f32; 4],
     arithmetic: Arithmetic,
 }
@@ -29,16 +25,9 @@ impl Input {
         let algorithm = request.choice(names, &Algorithm::ALL, Algorithm::name, &[])?;
         Ok(Self {
             algorithm: algorithm.unwrap_or_default(),
-            window: request.required("window")?.numbers()?,
+            window: request.window()?,
             segment: request.required("segment")?.numbers()?,
             arithmetic: request.arithmetic_of(&[Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64])?,
-        })
-    }
-
-    fn window(&self) -> Result<Window, Refusal> {
-        Window::new(self.window).ok_or_else(|| {
-            let message = Message::new("error-empty-window").with("field", text("window"));
-            Refusal::new("bad-window", message)
         })
     }
 }
@@ -57,14 +46,14 @@ pub(super) struct Answer {
 
 pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
     let input = Input::read(request)?;
-    let window = input.window()?;
+    let window = input.window;
     let [x0, y0, x1, y1] = input.segment;
     let ends: Segment = [[x0, y0], [x1, y1]];
     let (arithmetic, mut tally) = (input.arithmetic, Tally::default());
     let (clipped, outcodes, t) = match input.algorithm {
         Algorithm::CohenSutherland => {
             let clipped = cohen_sutherland::clip_traced(ends, &window, arithmetic, &mut tally, &mut NoTrace);
-            (clipped, Some(ends.map(|end| Outcode::of(end, input.window))), None)
+            (clipped, Some(ends.map(|end| Outcode::of(end, window.array()))), None)
         }
         Algorithm::LiangBarsky => {
             let visible = liang_barsky::clip_traced(ends, &window, arithmetic, &mut tally, &mut NoTrace);
@@ -86,7 +75,7 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
 /// The same request as a scene that opens a lab.
 pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
     let input = Input::read(request)?;
-    input.window()?;
     let Input { algorithm, window, segment, arithmetic } = input;
-    Ok(lab_scene([64, 64], LabInput::ClipLine { algorithm, window, segment, arithmetic }))
+    let window = window.array();
+    Ok(lab_scene([64, 64], labs::ClipLine { algorithm, window, segment, arithmetic }))
 }

@@ -2,7 +2,8 @@
 
 use super::{Between, Event, Side, fill};
 use crate::{
-    explain::{Explain, Formula, Label, Level, Mark, Marker, Role, Row, Table, View},
+    compare::Fact,
+    explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::Tally,
     message::{Message, Value},
     raster::{Settings, Span, view::view_of},
@@ -170,6 +171,17 @@ impl Explain for Snapshot {
         }
     }
 
+    fn operations(event: &Event) -> Operations {
+        match event {
+            // Three comparisons sort; the area is two products and a sign.
+            Event::Sorted { .. } => Operations::new(4, 2, 0),
+            Event::Slope { .. } => Operations::new(1, 0, 1),
+            Event::Crossing { .. } => Operations::new(0, 1, 0),
+            Event::Span { .. } => Operations::new(1, 0, 0),
+            _ => Operations::NONE,
+        }
+    }
+
     fn level(event: &Event) -> Level {
         match event {
             Event::ZeroArea | Event::Done => Level::Primitive,
@@ -258,6 +270,13 @@ impl Explain for Snapshot {
 
     fn view(&self) -> View {
         view_of(&[self.vertices], &self.settings)
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        for row in &self.rows {
+            let begin = row.span.map_or(0, |[begin, _]| begin);
+            out.extend((begin..begin + row.drawn).map(|x| Fact::pixel([x, row.y], Vec::new())));
+        }
     }
 }
 

@@ -7,7 +7,8 @@ use super::{
     run,
 };
 use crate::{
-    explain::{Explain, Formula, Level, Mark, Marker, Piece, Role, Row, Table, View},
+    compare::Fact,
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, Piece, Role, Row, Table, View},
     message::{Message, Value},
     raster::YAxis,
     replay::State,
@@ -210,6 +211,18 @@ impl Explain for Snapshot {
         }
     }
 
+    fn operations(event: &Event) -> Operations {
+        match event {
+            Event::Component { to: Space::Ndc, .. } => Operations::new(0, 0, 1),
+            Event::Component { to: Space::Screen, row, .. } => {
+                Operations::new(0, u64::from(*row < 3), 0) // 1/w goes through as it is
+            }
+            Event::Component { .. } => Operations::new(0, 4, 0),
+            Event::Sight { .. } => Operations::new(1, 0, 0),
+            _ => Operations::NONE,
+        }
+    }
+
     fn level(event: &Event) -> Level {
         match event {
             Event::Done => Level::Primitive,
@@ -301,5 +314,18 @@ impl Explain for Snapshot {
 
     fn view(&self) -> View {
         picture::VIEW
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        for (path, number) in self.known.iter().zip(1..) {
+            for (space, known) in Space::ALL.into_iter().zip(path) {
+                if let [Some(x), Some(y), Some(z), Some(w)] = *known {
+                    let last = if space < Space::Ndc { "w" } else { "r" };
+                    let name = format!("P{number} {}", NAMES[space as usize]);
+                    let values = ["x", "y", "z", last].into_iter().zip([x, y, z, w].map(Value::from));
+                    out.push(Fact::named(name, values.collect()));
+                }
+            }
+        }
     }
 }

@@ -5,8 +5,9 @@ use super::{
     formulas::{bits, joined},
 };
 use crate::{
-    clip::line::{Border, End, Outcode, Point, Segment, Window, view},
-    explain::{Explain, Formula, Label, Level, Mark, Marker, Role, Row, Table, View},
+    clip::line::{Border, End, Outcode, Point, Segment, Window, facts, view},
+    compare::Fact,
+    explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::Arithmetic,
     message::{Message, Value},
     replay::State,
@@ -120,6 +121,14 @@ impl Explain for Snapshot {
             Event::Reject | Event::GiveUp => 5,
             Event::Choose { .. } => 6,
             Event::Cut { .. } => 7,
+        }
+    }
+
+    fn operations(event: &Event) -> Operations {
+        match event {
+            Event::Code { .. } => Operations::new(4, 0, 0),
+            Event::Cut { .. } => Operations::new(4, 1, 1),
+            _ => Operations::NONE,
         }
     }
 
@@ -286,6 +295,10 @@ impl Explain for Snapshot {
 
     fn view(&self) -> View {
         view(self.original, &self.window)
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        facts(self.accepted, self.ends, out);
     }
 }
 

@@ -5,8 +5,9 @@ use super::{
     forms::{Exact, Form, crossing},
 };
 use crate::{
-    clip::line::{Border, End, Segment, Window, view},
-    explain::{Explain, Formula, Label, Level, Mark, Marker, Role, Row, Table, View},
+    clip::line::{Border, End, Segment, Window, facts, view},
+    compare::Fact,
+    explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::{Arithmetic, Sign, Tally},
     message::{Message, Value},
     replay::State,
@@ -173,6 +174,16 @@ impl Explain for Snapshot {
         }
     }
 
+    fn operations(event: &Event) -> Operations {
+        match event {
+            Event::Measure { .. } | Event::Along { .. } => Operations::new(1, 0, 0),
+            Event::Enter { .. } | Event::Leave { .. } | Event::Order { .. } => Operations::new(1, 2, 0),
+            Event::Divide { .. } => Operations::new(0, 0, 1),
+            Event::Cut { .. } => Operations::new(0, 2, 0),
+            Event::Start | Event::Reject | Event::Accept => Operations::NONE,
+        }
+    }
+
     fn level(event: &Event) -> Level {
         match event {
             Event::Accept | Event::Reject => Level::Primitive,
@@ -334,6 +345,10 @@ impl Explain for Snapshot {
 
     fn view(&self) -> View {
         view(self.original, &self.window)
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        facts(self.accepted, self.ends, out);
     }
 }
 

@@ -10,7 +10,7 @@ use rasterscope_core::{
 use rasterscope_figure::{
     figure::Figure,
     layout::{self, Placement},
-    png, svg,
+    png, space, svg,
     theme::{Theme, ThemeName},
 };
 use std::{io::Write, path::PathBuf};
@@ -89,7 +89,8 @@ pub fn figure(options: &FigureOptions, notes: &mut dyn Write) -> Result<(), Fail
 
 /// The drawing of a run at its cursor.
 pub(crate) fn draw(run: &dyn Playback, size: [f32; 2], theme: &Theme) -> Figure {
-    lay_out(&run.marks(), &run.view(), size, theme)
+    let marks = run.marks();
+    lay_out(&space::seen(&marks, run.vantage().as_ref(), None), &run.view(), size, theme)
 }
 
 fn lay_out(marks: &[Mark], view: &View, size: [f32; 2], theme: &Theme) -> Figure {

@@ -189,6 +189,7 @@ impl App {
         self.document.open_lab(name, || core_labs::default_input(name).unwrap_or(LabInput::Pipeline));
         self.view.due = None;
         self.canvas.fit();
+        self.view.outside = None;
     }
 
     /// Replaces the document; can be undone.
@@ -213,5 +214,6 @@ impl App {
             self.run.seek(step);
         }
         self.canvas.fit();
+        self.view.outside = None;
     }
 }

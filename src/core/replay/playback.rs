@@ -2,7 +2,7 @@
 
 use super::Player;
 use crate::{
-    explain::{Explain, Formula, Level, Mark, Marker, Table, View},
+    explain::{Explain, Formula, Level, Mark, Marker, Table, Vantage, View},
     message::Message,
 };
 
@@ -45,6 +45,8 @@ pub trait Playback: Send {
     fn marks(&self) -> Vec<Mark>;
     /// What part of the plane the drawing shows.
     fn view(&self) -> View;
+    /// From where a drawing in space is seen first.
+    fn vantage(&self) -> Option<Vantage>;
     /// Marks of the timeline with their steps, in order.
     fn markers(&self) -> Vec<(usize, Marker)>;
     /// The event that led to the cursor, for logs.
@@ -144,6 +146,10 @@ impl<S: Explain> Playback for Player<S> {
 
     fn view(&self) -> View {
         self.state.view()
+    }
+
+    fn vantage(&self) -> Option<Vantage> {
+        self.state.vantage()
     }
 
     fn markers(&self) -> Vec<(usize, Marker)> {

@@ -1,6 +1,7 @@
 //! Polygons against a convex region, border by border.
 
 pub mod clip_space;
+pub mod clip_triangle;
 
 pub use clip_space::{Corner, Origin, Polygon, clip_triangle};
 

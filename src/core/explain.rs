@@ -11,6 +11,7 @@ pub use operations::Operations;
 pub use space::{Solid, Vantage, box_corners};
 
 use crate::{
+    compare::Fact,
     message::{Message, Value},
     replay::State,
 };
@@ -29,6 +30,15 @@ pub enum Level {
 impl Level {
     /// From coarse to fine.
     pub const ALL: [Self; 3] = [Self::Primitive, Self::Row, Self::Detail];
+
+    /// The name on the command line and in traces.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Primitive => "primitive",
+            Self::Row => "row",
+            Self::Detail => "detail",
+        }
+    }
 }
 
 /// What a mark means. The theme maps a role to a colour AND a marker AND a dash.
@@ -334,4 +344,9 @@ pub trait Explain: State {
     fn vantage(&self) -> Option<Vantage> {
         None
     }
+    /// The result so far as facts, in any order: what a comparison of two runs looks at.
+    ///
+    /// Values as computed, not as drawn. Every registered lab has some at the end of every run
+    /// that yields anything (tested).
+    fn facts(&self, _out: &mut Vec<Fact>) {}
 }

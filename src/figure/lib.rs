@@ -29,5 +29,6 @@ pub mod layout;
 pub mod orbit;
 pub mod space;
 
+pub mod animation;
 pub mod png;
 pub mod svg;

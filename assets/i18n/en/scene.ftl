@@ -41,6 +41,7 @@ error-scene-not-one-each = { $path }: there must be one for each of the { $verti
 error-scene-no-texture-coordinates = { $path }: a texture needs texture coordinates, and this mesh has none. Add "uvs" or remove the texture.
 error-scene-window-reversed = { $path }: the window is [xmin, ymin, xmax, ymax], and no minimum may exceed its maximum.
 error-scene-none-there = { $path }: there is none to choose from. Add one, or remove the lab.
+error-scene-no-setting = { $path }: name the one setting in which the two sides differ, such as {"{"}"fill_rule": "inclusive"{"}"}.
 error-scene-no-file-name = { $path }: this is no file name. Write the name of an OBJ file, such as "cube.obj".
 error-scene-draw-out-of-range = { $path }: its vertices leave the range of 32-bit floats (about 3.4e38) when transformed. Scale it down.
 error-scene-camera-out-of-range = { $path }: its matrices leave the range of 32-bit floats (about 3.4e38). Move it nearer, or make near, far, height and angle less extreme.
@@ -227,3 +228,18 @@ preset-vertex-minus-one-to-one = The first corner lies on the near plane and the
 
 preset-vertex-rotated-model-name = Rotated model
 preset-vertex-rotated-model = A corner of the cube is scaled, rotated and moved before the camera sees it. The order of the three matters.
+
+preset-two-sides-tie-name = Split: tie rules
+preset-two-sides-tie = Left the top-left rule, right inclusive edges. Inclusive draws the shared diagonal twice, and a row and a column more.
+
+preset-two-sides-depth-bits-name = Split: 16 bits of depth
+preset-two-sides-depth-bits = The same two triangles with 32-bit floats and with 16-bit codes. B is nearer everywhere, yet with 16 bits A shows in stripes.
+
+preset-two-sides-corner-name = Split: two algorithms
+preset-two-sides-corner = Beside a corner both reject. Cohen-Sutherland divides once to find out; Liang-Barsky compares fractions and divides not at all.
+
+preset-two-sides-rounding-name = Split: rounding at a corner
+preset-two-sides-rounding = Exactly, the line misses the corner by less than a millionth and is rejected. In f32 it touches the corner and is kept.
+
+preset-two-sides-depth-range-name = Split: depth ranges
+preset-two-sides-depth-range = One vertex with depths 0 … 1 and −1 … 1. Clip space and NDC differ in z alone; on the screen both have the same depth.

@@ -47,6 +47,8 @@ pub const PRESETS: &[Preset] = presets! {
     "pawn"
     "trefoil"
     "spheres"
+    "two-sides-tie"
+    "two-sides-depth-bits"
     "line-three-cuts"
     "line-inside"
     "line-same-side"
@@ -54,6 +56,8 @@ pub const PRESETS: &[Preset] = presets! {
     "line-passes-by"
     "line-touches-a-corner"
     "line-along-a-border"
+    "two-sides-corner"
+    "two-sides-rounding"
     "order-kept"
     "order-rejected"
     "order-reversed"
@@ -77,6 +81,7 @@ pub const PRESETS: &[Preset] = presets! {
     "vertex-behind-the-eye"
     "vertex-minus-one-to-one"
     "vertex-rotated-model"
+    "two-sides-depth-range"
 };
 
 /// All models, by the file name that scenes use. Of our own making: see

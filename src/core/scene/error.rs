@@ -148,6 +148,8 @@ pub enum Problem {
     NoFileName,
     /// The window's minimum exceeds its maximum.
     WindowReversed,
+    /// A comparison without a setting in which the sides differ.
+    NoSetting,
     /// Anything else, in the words of a library.
     Other(String),
 }
@@ -251,6 +253,7 @@ impl Problem {
             Self::NoneThere => Message::new("error-scene-none-there"),
             Self::NoFileName => Message::new("error-scene-no-file-name"),
             Self::WindowReversed => Message::new("error-scene-window-reversed"),
+            Self::NoSetting => Message::new("error-scene-no-setting"),
             Self::Other(what) => Message::new("error-scene-other").with("what", Value::text(what)),
         }
     }

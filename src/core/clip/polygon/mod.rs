@@ -2,6 +2,8 @@
 
 pub mod clip_space;
 pub mod clip_triangle;
+pub mod outline;
+pub mod sutherland_hodgman;
 
 pub use clip_space::{Corner, Origin, Polygon, clip_triangle};
 

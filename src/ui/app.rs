@@ -168,6 +168,7 @@ impl App {
         self.document.open_lab(name, || core_labs::default_input(name).unwrap_or(LabInput::PIPELINE));
         self.view.due = None;
         self.canvas.fit();
+        self.view.outside = None;
     }
 
     /// Replaces the document; can be undone.
@@ -187,5 +188,6 @@ impl App {
         self.notice = None;
         self.start_anew(step);
         self.canvas.fit();
+        self.view.outside = None;
     }
 }

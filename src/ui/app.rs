@@ -195,6 +195,7 @@ impl App {
         self.document.open_lab(name, || core_labs::default_input(name).unwrap_or(LabInput::PIPELINE));
         self.view.due = None;
         self.canvas.fit();
+        self.view.outside = None;
     }
 
     /// Replaces the document; can be undone.
@@ -219,5 +220,6 @@ impl App {
             self.run.seek(step);
         }
         self.canvas.fit();
+        self.view.outside = None;
     }
 }

@@ -59,6 +59,7 @@ impl App {
             Command::Fit => {
                 self.canvas.fit();
                 self.view.orbit = None;
+                self.view.outside = None;
             }
             Command::Escape => self.escape(ctx),
             Command::Stage(stage) => {

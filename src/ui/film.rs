@@ -97,9 +97,11 @@ impl App {
         (picture.maker == crate::shell::canvas::Maker::Image).then(|| (picture.marks.clone(), picture.view))
     }
 
-    /// Stops the animated picture that is being made.
-    pub(crate) fn stop_film(&mut self) {
-        if let Some(film) = &self.film {
+    /// Stops what the timeline shows the progress of.
+    pub(crate) fn stop(&mut self) {
+        if self.opening.take().is_none()
+            && let Some(film) = &self.film
+        {
             film.task.stop();
         }
     }

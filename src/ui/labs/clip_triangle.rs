@@ -14,9 +14,8 @@ use rasterscope_core::{
         clip_triangle::{Mistake, Pieces, Space},
     },
     explain::{Marker, Role},
-    labs,
+    labs::{self, LabInput},
     math::Arithmetic,
-    scene::LabInput,
 };
 
 /// The lab.

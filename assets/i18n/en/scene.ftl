@@ -243,3 +243,42 @@ preset-two-sides-rounding = Exactly, the line misses the corner by less than a m
 
 preset-two-sides-depth-range-name = Split: depth ranges
 preset-two-sides-depth-range = One vertex with depths 0 … 1 and −1 … 1. Clip space and NDC differ in z alone; on the screen both have the same depth.
+
+preset-clip-behind-and-right-name = Behind the eye and to the right
+preset-clip-behind-and-right = v1 lies behind the eye, v2 to the right. Two planes cut: near is not the first, yet the result is right.
+
+preset-clip-one-in-name = One in, two out
+preset-clip-one-in = One vertex is inside the right plane: two crossings, and a triangle is left.
+
+preset-clip-two-in-name = Two in, one out
+preset-clip-two-in = Two vertices are inside the right plane: two crossings, and a polygon of four corners is left. It needs two triangles.
+
+preset-clip-near-plane-name = Through the near plane
+preset-clip-near-plane = The nearest vertex is before the near plane, and still before the eye. Only the near plane cuts.
+
+preset-clip-divide-first-name = Mistake: divide first
+preset-clip-divide-first = v1 lies behind the eye. Divided by its negative w it comes out mirrored, and another triangle is clipped.
+
+preset-clip-w-zero-name = w = 0
+preset-clip-w-zero = v1 lies in the plane of the eye: its w is 0, and no division could place it. Clipping before the divide needs none.
+
+preset-clip-no-near-name = Mistake: no near plane
+preset-clip-no-near = The part between the near plane and the eye stays. After the divide its depths are outside 0 … 1.
+
+preset-clip-frustum-corner-name = An edge of the frustum
+preset-clip-frustum-corner = All vertices are outside, and the edge between top and right comes through the triangle. That corner is made by the triangle and two planes.
+
+preset-clip-guard-band-name = Guard band keeps it
+preset-clip-guard-band = The right plane stands four times as far out: the triangle reaches over the side of the image, and nothing is cut. The rasterizer does the rest.
+
+preset-clip-crack-name = Mistake: crack at an edge
+preset-clip-crack = In f32, each triangle computes the crossing from the end that it meets first. At the shared edge two results differ in the last place: a crack.
+
+preset-clip-no-attributes-name = Mistake: no attributes
+preset-clip-no-attributes = The new corners get a position but no u. The texture is right up to the cut and wrong beyond it.
+
+preset-clip-camera-space-name = In camera space
+preset-clip-camera-space = The same cut with points and normals: distances are (v − p) · n, and there is no fourth number.
+
+preset-clip-many-planes-name = Five planes cut
+preset-clip-many-planes = A large triangle reaches over all sides but one. Eight corners are left, and six triangles.

@@ -7,13 +7,14 @@
 
 mod back_face;
 mod clip_line;
+mod clip_triangle;
 mod pipeline;
 mod scanline;
 mod transform;
 mod z_buffer;
 
 pub use self::{
-    back_face::BackFace, clip_line::ClipLine, pipeline::Pipeline, scanline::Scanline, transform::Transform,
+    back_face::BackFace, clip_line::ClipLine, clip_triangle::ClipTriangle, pipeline::Pipeline, scanline::Scanline, transform::Transform,
     z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
@@ -77,6 +78,7 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<BackFace>("back-face", Stage::Cull),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
+    LabInfo::new::<ClipTriangle>("clip-triangle", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
 ];
@@ -200,6 +202,8 @@ families! {
     Transform
     /// One triangle: does the eye see its back?
     BackFace
+    /// One triangle against the planes of the frustum.
+    ClipTriangle
     /// The whole scene, stage by stage.
     Pipeline
 }

@@ -8,7 +8,7 @@ pub mod sutherland_hodgman;
 pub use clip_space::{Corner, Origin, Polygon, clip_triangle};
 
 use crate::{math::Real, transform::DepthRange};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A border of the visible part of clip space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
@@ -46,7 +46,7 @@ impl Plane {
 }
 
 /// Which planes clip.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PlaneSet {
     /// All six.

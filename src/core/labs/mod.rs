@@ -13,7 +13,8 @@ mod transform;
 mod z_buffer;
 
 pub use self::{
-    back_face::BackFace, clip_line::ClipLine, pipeline::Pipeline, scanline::Scanline, transform::Transform, z_buffer::ZBuffer,
+    back_face::BackFace, clip_line::ClipLine, pipeline::Pipeline, scanline::Scanline, transform::Transform,
+    z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
 

@@ -94,7 +94,12 @@ impl Canvas {
 
     /// The size of the drawing of the last frame.
     pub(crate) fn size(&self) -> Option<Vec2> {
-        self.figure.as_ref().map(|((_, _, size, ..), ..)| *size)
+        self.figure.as_ref().map(|((_, _, _, size, ..), ..)| *size)
+    }
+
+    /// The camera outside through which the drawing of the last frame was seen.
+    pub(crate) fn camera(&self) -> Option<Orbit> {
+        self.figure.as_ref().and_then(|((_, _, camera, ..), ..)| *camera)
     }
 
     /// Where the run's drawing lies, if it is on the canvas.

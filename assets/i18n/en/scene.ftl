@@ -282,3 +282,20 @@ preset-clip-camera-space = The same cut with points and normals: distances are (
 
 preset-clip-many-planes-name = Five planes cut
 preset-clip-many-planes = A large triangle reaches over all sides but one. Eight corners are left, and six triangles.
+preset-facing-front-name = Seen from the front
+preset-facing-front = All six tests see the front. Swap two vertices: then all six see the back.
+
+preset-facing-closed-surface-name = Closed surface: about half
+preset-facing-closed-surface = Of a closed surface the eye sees the front of about half of the triangles. Culling the others leaves half of the work.
+
+preset-facing-mirrored-name = Mirrored model
+preset-facing-mirrored = A scale of −1 turns every triangle round on its way. The test in object space comes too early to see that.
+
+preset-facing-behind-the-eye-name = One vertex behind the eye
+preset-facing-behind-the-eye = The divide mirrors what lies behind the eye. So the tests after the divide see the wrong side, and only they do.
+
+preset-facing-edge-on-name = Exactly edge-on
+preset-facing-edge-on = All six values are exactly 0. Some lectures call that a back, some a front; nothing is drawn either way.
+
+preset-facing-collinear-name = No area at all
+preset-facing-collinear = The three vertices lie on one line. All tests give 0, and the reason has a name.

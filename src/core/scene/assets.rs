@@ -94,6 +94,12 @@ pub const PRESETS: &[Preset] = presets! {
     "vertex-behind-the-eye"
     "vertex-minus-one-to-one"
     "vertex-rotated-model"
+    "facing-front"
+    "facing-closed-surface"
+    "facing-mirrored"
+    "facing-behind-the-eye"
+    "facing-edge-on"
+    "facing-collinear"
     "two-sides-depth-range"
 };
 

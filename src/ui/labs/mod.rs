@@ -3,6 +3,7 @@
 //! A lab says what of the document can be dragged and chosen. Running, stepping, listing,
 //! inspector and painting are the shell's, the same for all.
 
+mod back_face;
 mod clip_line;
 mod clip_triangle;
 mod cohen_sutherland;
@@ -123,6 +124,7 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
     vec![
         Box::new(pipeline::Pipeline),
         Box::new(transform::Transform),
+        Box::new(back_face::BackFace),
         Box::new(cohen_sutherland::LAB),
         Box::new(liang_barsky::LAB),
         Box::new(clip_triangle::ClipTriangle),

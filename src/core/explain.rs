@@ -198,6 +198,19 @@ pub enum Mark {
         /// In the size of region codes.
         big: bool,
     },
+    /// Equal pixels of a row, where there are more than [`MOST_PIXELS`] for a mark each.
+    Run {
+        /// The row.
+        y: i32,
+        /// First column.
+        begin: i32,
+        /// One past the last column.
+        end: i32,
+        /// What they mean.
+        role: Role,
+        /// Index of the object that they belong to.
+        object: Option<usize>,
+    },
     /// A picture whose pixel (0, 0) covers the cell `0..1`, `0..1`.
     Image {
         /// Width and height in pixels.
@@ -208,6 +221,10 @@ pub enum Mark {
     /// Geometry in space, for a lab that has a [`Vantage`]: seen through the camera outside.
     Space(Solid),
 }
+
+/// More pixels than these stand in [`Mark::Run`]s: a mark each would take longer than a frame, and
+/// they are too small to show a value.
+pub const MOST_PIXELS: usize = 1 << 15;
 
 /// What part of the plane an algorithm is about, and how it is laid out.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -88,3 +88,23 @@ fn a_model_opens_in_the_overview() {
     assert_eq!(app.document.scene.draws.len(), 1);
     assert_eq!(app.document.input().name(), "pipeline");
 }
+
+#[test]
+fn a_full_disk_leaves_the_old_file_and_the_edit() {
+    let mut window = window_with("cohen-sutherland");
+    let ctx = window.ctx.clone();
+    let save = |window: &mut Window| {
+        let Desk { app, platform } = window.state_mut();
+        app.as_mut().expect("made").execute(&ctx, vec![Command::SaveAs("a.json".into())], platform);
+        window.run();
+    };
+    save(&mut window);
+    let old = window.state().platform.files["a.json"].clone();
+    window.state_mut().app_mut().document.scene.clear.depth = 0.25;
+    window.state_mut().platform.full = true;
+    save(&mut window);
+    let text = failure(&window).unwrap_or_default();
+    assert_eq!(text, "a.json cannot be written: the disk is full. Save under another path.");
+    assert!(window.state().app().modified());
+    assert_eq!(window.state().platform.files["a.json"], old);
+}

@@ -3,6 +3,7 @@
 mod editing;
 mod export;
 mod files;
+mod heavy;
 mod keeping;
 mod keys;
 mod labs;
@@ -46,6 +47,9 @@ impl Platform for Memory {
     fn write(&mut self, path: &str, bytes: &[u8]) -> io::Result<()> {
         if path.starts_with("/read-only/") {
             return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the folder is read-only"));
+        }
+        if self.full {
+            return Err(io::ErrorKind::StorageFull.into());
         }
         self.files.insert(path.to_owned(), bytes.to_owned());
         Ok(())

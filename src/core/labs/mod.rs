@@ -5,6 +5,7 @@
 //! makes sense there, and how a run starts. Adding a lab is such a file (or a name more in one),
 //! a line in [`ALL`], and for a new family a line in [`LabInput`].
 
+mod back_face;
 mod clip_line;
 mod pipeline;
 mod scanline;
@@ -12,7 +13,8 @@ mod transform;
 mod z_buffer;
 
 pub use self::{
-    clip_line::ClipLine, pipeline::Pipeline, scanline::Scanline, transform::Transform, z_buffer::ZBuffer,
+    back_face::BackFace, clip_line::ClipLine, pipeline::Pipeline, scanline::Scanline, transform::Transform,
+    z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
 
@@ -72,6 +74,7 @@ impl fmt::Debug for LabInfo {
 pub const ALL: &[LabInfo] = &[
     LabInfo::new::<Pipeline>("pipeline", Stage::Image),
     LabInfo::new::<Transform>("transform", Stage::ClipSpace),
+    LabInfo::new::<BackFace>("back-face", Stage::Cull),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
@@ -195,6 +198,8 @@ families! {
     ZBuffer
     /// One vertex through all the spaces.
     Transform
+    /// One triangle: does the eye see its back?
+    BackFace
     /// The whole scene, stage by stage.
     Pipeline
 }

@@ -14,6 +14,7 @@ pub mod liang_barsky;
 use crate::{
     compare::Fact,
     explain::{Grid, Piece, View},
+    math::Arithmetic,
     message::Value,
 };
 use serde::{Deserialize, Serialize};
@@ -121,6 +122,12 @@ impl Border {
             Self::Right | Self::Left => 0,
             Self::Top | Self::Bottom => 1,
         }
+    }
+
+    /// Whether inside is where the coordinate is smaller.
+    #[inline]
+    pub fn is_upper(self) -> bool {
+        matches!(self, Self::Top | Self::Right)
     }
 
     /// The name of its constant.
@@ -263,6 +270,21 @@ fn facts(accepted: Option<bool>, ends: Segment, out: &mut Vec<Fact>) {
     if accepted {
         out.extend(End::ALL.map(|end| Fact::point(end.name(), ends[end as usize])));
     }
+}
+
+/// The numbers of how far along from a1 to a2 the border c lies, `= (c − a1) / (a2 − a1) = t`, and t.
+pub(in crate::clip) fn share(c: f32, [a1, a2]: [f32; 2], arithmetic: Arithmetic) -> (Vec<Piece>, Value) {
+    let t = if arithmetic == Arithmetic::F32 {
+        Value::F32((c - a1) / (a2 - a1))
+    } else {
+        let [c, a1, a2] = [c, a1, a2].map(f64::from);
+        Value::F64((c - a1) / (a2 - a1))
+    };
+    let [c, a1, a2] = [c, a1, a2].map(|x| Piece::Number(x.into()));
+    let text = Piece::Text;
+    let (open, minus, over) = (text("= ("), text(" − "), text(") / ("));
+    let numbers = vec![open, c, minus.clone(), a1.clone(), over, a2, minus, a1, text(") = ")];
+    (numbers.into_iter().chain([Piece::Result(t.clone())]).collect(), t)
 }
 
 /// The numbers of a coordinate at t: `= b1 + t (b2 − b1) = result`.

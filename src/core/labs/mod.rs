@@ -6,13 +6,15 @@
 //! a line in [`ALL`], and for a new family a line in [`LabInput`].
 
 mod clip_line;
+mod clip_polygon;
 mod pipeline;
 mod scanline;
 mod transform;
 mod z_buffer;
 
 pub use self::{
-    clip_line::ClipLine, pipeline::Pipeline, scanline::Scanline, transform::Transform, z_buffer::ZBuffer,
+    clip_line::ClipLine, clip_polygon::ClipPolygon, pipeline::Pipeline, scanline::Scanline,
+    transform::Transform, z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
 
@@ -74,6 +76,7 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<Transform>("transform", Stage::ClipSpace),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
+    LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
 ];
@@ -189,6 +192,8 @@ macro_rules! families {
 families! {
     /// A line against a window.
     ClipLine
+    /// Polygons against a window.
+    ClipPolygon
     /// One triangle, row by row.
     Scanline
     /// Triangles, fragment by fragment.

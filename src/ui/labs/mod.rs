@@ -4,13 +4,16 @@
 //! inspector and painting are the shell's, the same for all.
 
 mod clip_line;
+mod clip_polygon;
 mod cohen_sutherland;
 mod liang_barsky;
 mod objects;
 mod pipeline;
 mod placing;
 mod scanline;
+mod sutherland_hodgman;
 mod transform;
+mod window;
 mod z_buffer;
 
 use crate::{
@@ -107,6 +110,7 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(transform::Transform),
         Box::new(cohen_sutherland::LAB),
         Box::new(liang_barsky::LAB),
+        Box::new(sutherland_hodgman::LAB),
         Box::new(scanline::Scanline),
         Box::new(z_buffer::ZBuffer),
     ]

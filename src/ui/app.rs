@@ -2,10 +2,12 @@
 
 use crate::{
     document::{Document, ViewState},
+    evaluation::Evaluation,
     face::Command,
     film::Film,
     keeping::Kept,
     labs::{self, Lab},
+    opening::Opening,
     overview::Overview,
     paint::Textures,
     platform::{Platform, Purpose},
@@ -18,8 +20,6 @@ use egui::{Context, Ui};
 use rasterscope_core::{
     history::History,
     labs::{self as core_labs, LabInput},
-    message::Message,
-    replay::Budget,
     scene::Scene,
 };
 use rasterscope_figure::words::Words;
@@ -32,8 +32,7 @@ pub struct App {
     pub(crate) history: History<Document>,
     pub(crate) view: ViewState,
     pub(crate) run: Run,
-    /// The scene that the run is of, and why there is no run.
-    ran: Option<(Scene, Option<Message>)>,
+    pub(crate) evaluation: Evaluation,
     pub(crate) digest: Option<Digest>,
     pub(crate) overview: Overview,
     pub(crate) canvas: Canvas,
@@ -44,6 +43,8 @@ pub struct App {
     /// The preset that was opened, and what it was; no longer chosen once something is edited.
     pub(crate) preset: Option<(&'static str, Scene)>,
     pub(crate) notice: Option<Notice>,
+    /// The file that is being opened.
+    pub(crate) opening: Option<Opening>,
     /// The animated picture that is being made.
     pub(crate) film: Option<Film>,
     /// Where the document came from, and what was last written there.
@@ -76,7 +77,7 @@ impl App {
             history: History::default(),
             view,
             run: Run::default(),
-            ran: None,
+            evaluation: Evaluation::default(),
             digest: None,
             overview: Overview::default(),
             canvas: Canvas::default(),
@@ -86,6 +87,7 @@ impl App {
             names,
             preset: None,
             notice: None,
+            opening: None,
             film: None,
             path: None,
             clean: None,
@@ -119,9 +121,14 @@ impl App {
         }));
         commands.extend(crate::shell::keys::pressed(&ctx, self.canvas.handles()));
         self.execute(&ctx, commands, platform);
+        self.end_opening(&ctx, platform);
         self.end_film(&ctx, platform);
         self.play(&ctx);
-        self.update();
+        if self.only_opening(&ctx) {
+            ui.painter().rect_filled(ui.max_rect(), 0, self.look.panel);
+            return;
+        }
+        self.update(&ctx, platform);
 
         self.history.begin(&self.document);
         let commands = RefCell::default();
@@ -139,26 +146,6 @@ impl App {
         self.textures.end_frame();
         self.closing(&ctx);
         self.autosave(&ctx, platform);
-    }
-
-    /// Starts the run anew if what it depends on has changed.
-    pub(crate) fn update(&mut self) {
-        let scene = &self.document.scene;
-        self.overview.update(scene, self.view.skips);
-        if self.ran.as_ref().is_some_and(|(old, _)| old == scene) {
-            return;
-        }
-        let problem = match core_labs::play(scene, Budget::default()) {
-            Ok(playback) => {
-                self.run.set(playback);
-                None
-            }
-            Err(problem) => {
-                self.run.clear();
-                Some(problem)
-            }
-        };
-        self.ran = Some((scene.clone(), problem));
     }
 
     /// Takes the steps that are due, and asks for the frame in which the next one is.
@@ -179,11 +166,6 @@ impl App {
         }
     }
 
-    /// Why nothing runs, if so.
-    pub(crate) fn problem(&self) -> Option<String> {
-        self.ran.as_ref().and_then(|(_, problem)| problem.as_ref()).map(|problem| self.words.message(problem))
-    }
-
     /// The open lab.
     pub(crate) fn lab(&self) -> usize {
         let name = self.document.input().name();
@@ -195,6 +177,7 @@ impl App {
         self.document.open_lab(name, || core_labs::default_input(name).unwrap_or(LabInput::PIPELINE));
         self.view.due = None;
         self.canvas.fit();
+        self.view.outside = None;
     }
 
     /// Replaces the document; can be undone.
@@ -212,12 +195,8 @@ impl App {
         self.view.due = None;
         self.view.pixel = None;
         self.notice = None;
-        self.run.clear();
-        self.ran = None;
-        self.update();
-        if let Some(step) = step {
-            self.run.seek(step);
-        }
+        self.start_anew(step);
         self.canvas.fit();
+        self.view.outside = None;
     }
 }

@@ -49,9 +49,7 @@ impl Document {
         if !std::iter::once(self.input()).chain(&self.others).all(same) {
             return false;
         }
-        // The labs are compared: what else there is, without a copy of the meshes.
-        let bare = |document: &Self| Scene { lab: None, ..document.scene.clone() };
-        bare(self) == bare(clean)
+        self.scene.same_picture(&clean.scene)
     }
 
     /// The inputs of the open lab.
@@ -73,7 +71,7 @@ impl Document {
         self.others.retain(|other| other.name() != old.name());
         self.others.push(old);
         let known = self.others.iter().find(|other| other.name() == name).cloned();
-        self.scene.lab = Some(Lab { step: None, input: known.unwrap_or_else(first) });
+        self.scene.lab = Some(Lab::new(known.unwrap_or_else(first)));
     }
 }
 
@@ -156,6 +154,8 @@ pub(crate) struct ViewState {
     pub(crate) pixel: Option<[u32; 2]>,
     /// The camera outside the frustum, once it was used.
     pub(crate) orbit: Option<Orbit>,
+    /// The camera of a lab that draws in space, once the user has turned it.
+    pub(crate) outside: Option<Orbit>,
     /// What the pipeline may leave out; it never changes the image.
     pub(crate) skips: Skips,
     /// What the overview's canvas shows.
@@ -193,6 +193,7 @@ impl Default for ViewState {
             tab: Tab::Step,
             pixel: None,
             orbit: None,
+            outside: None,
             skips: Skips::ALL,
             scenery: Scenery::Image,
             outlines: true,

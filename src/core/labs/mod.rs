@@ -5,6 +5,7 @@
 //! makes sense there, and how a run starts. Adding a lab is such a file (or a name more in one),
 //! a line in [`ALL`], and for a new family a line in [`LabInput`].
 
+mod back_face;
 mod clip_line;
 mod clip_polygon;
 mod pipeline;
@@ -13,8 +14,8 @@ mod transform;
 mod z_buffer;
 
 pub use self::{
-    clip_line::ClipLine, clip_polygon::ClipPolygon, pipeline::Pipeline, scanline::Scanline,
-    transform::Transform, z_buffer::ZBuffer,
+    back_face::BackFace, clip_line::ClipLine, clip_polygon::ClipPolygon, pipeline::Pipeline,
+    scanline::Scanline, transform::Transform, z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
 
@@ -74,6 +75,7 @@ impl fmt::Debug for LabInfo {
 pub const ALL: &[LabInfo] = &[
     LabInfo::new::<Pipeline>("pipeline", Stage::Image),
     LabInfo::new::<Transform>("transform", Stage::ClipSpace),
+    LabInfo::new::<BackFace>("back-face", Stage::Cull),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
     LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
@@ -200,6 +202,8 @@ families! {
     ZBuffer
     /// One vertex through all the spaces.
     Transform
+    /// One triangle: does the eye see its back?
+    BackFace
     /// The whole scene, stage by stage.
     Pipeline
 }

@@ -18,6 +18,7 @@ error-scene-kind-text = a text in quotes
 error-scene-kind-list = a list
 error-scene-kind-object = an object
 error-scene-length = { $path }: the list must have { $wanted } items; it has { $found }.
+error-scene-too-short = { $path }: the list must have at least { $least } items; it has { $found }.
 error-scene-missing = { $path }: this field is missing. Add it.
 error-scene-unknown-field = { $path }: this field does not belong here. The fields here are: { $known }.
 error-scene-unknown-name = { $path }: "{ $name }" is unknown. Use one of: { $known }.
@@ -180,6 +181,30 @@ preset-order-one-cut = Every entry lies before P1, so t0 stays 0 and P1 keeps it
 
 preset-order-inside-name = Both ends inside
 preset-order-inside = Every entry lies before P1 and every exit after P2. Nothing is divided.
+
+preset-polygon-triangle-name = A triangle loses three corners
+preset-polygon-triangle = Every corner is outside, yet most of the triangle is visible. A corner of the window becomes a corner of the polygon.
+
+preset-polygon-e-shape-name = An E falls apart: bridges
+preset-polygon-e-shape = The back of the E is cut off and three bars are left. One outline must hold them all, so it runs along the border there and back.
+
+preset-polygon-star-name = A star that crosses itself
+preset-polygon-star = The four transitions do not care that edges cross. Around every point inside the window the outline winds as often as before.
+
+preset-polygon-around-name = Around the window
+preset-polygon-around = No corner is inside and no edge crosses the window. What is left is the window itself.
+
+preset-polygon-edge-on-border-name = An edge on a border
+preset-polygon-edge-on-border = Two corners lie exactly on the left border. The window is closed, so they are inside and nothing is computed for them.
+
+preset-polygon-touches-a-corner-name = Touches in a corner
+preset-polygon-touches-a-corner = One point is in the window. It has no area, so nothing is left.
+
+preset-polygon-crack-name = Neighbours with a crack (f32)
+preset-polygon-crack = Both polygons have the edge V0 V1, in opposite directions. Cut from whichever end comes first, rounding gives them different corners.
+
+preset-polygon-two-sides-name = Only two sides cut
+preset-polygon-two-sides = Right at the left and the bottom, wrong at the right and the top: two of the four sides were forgotten.
 
 preset-span-left-tie-name = One tie on a left edge
 preset-span-left-tie = In row 4 the left edge runs exactly through a pixel centre. A left edge draws it; a right edge would not.

@@ -36,6 +36,7 @@ ui-palette-level = Size of a step: { $name }
 ui-palette-lab = Open: { $name }
 ui-palette-preset = Preset: { $name }
 ui-unit-line = line
+ui-unit-polygon = polygon
 
 ui-stage-off = off
 ui-stage-earlier = { $count } { $count ->
@@ -54,6 +55,17 @@ ui-snap = Snap
 ui-snap-half = halves
 ui-snap-centre = pixel centres
 ui-snap-off = off
+ui-mistakes = Common mistakes
+ui-corners-and-window = Corners and window
+ui-add-corner = Add a corner
+ui-add-corner-where = In the middle of the longest edge
+ui-remove-corner = Remove one
+ui-remove-corner-where = The last corner; three must stay
+ui-side-order = Sides
+ui-side-order-left-right-bottom-top = left, right, bottom, top
+ui-side-order-bottom-top-left-right = bottom, top, left, right
+ui-side-order-top-right-bottom-left = top, right, bottom, left
+ui-side-order-left-bottom-right-top = left, bottom, right, top
 ui-ends-and-window = Ends and window
 
 ui-tab-step = Step

@@ -7,6 +7,7 @@
 
 mod back_face;
 mod clip_line;
+mod clip_polygon;
 mod clip_triangle;
 mod pipeline;
 mod scanline;
@@ -14,8 +15,8 @@ mod transform;
 mod z_buffer;
 
 pub use self::{
-    back_face::BackFace, clip_line::ClipLine, clip_triangle::ClipTriangle, pipeline::Pipeline, scanline::Scanline, transform::Transform,
-    z_buffer::ZBuffer,
+    back_face::BackFace, clip_line::ClipLine, clip_polygon::ClipPolygon, clip_triangle::ClipTriangle,
+    pipeline::Pipeline, scanline::Scanline, transform::Transform, z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
 
@@ -79,6 +80,7 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
     LabInfo::new::<ClipTriangle>("clip-triangle", Stage::Clip),
+    LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
 ];
@@ -194,6 +196,8 @@ macro_rules! families {
 families! {
     /// A line against a window.
     ClipLine
+    /// Polygons against a window.
+    ClipPolygon
     /// One triangle, row by row.
     Scanline
     /// Triangles, fragment by fragment.

@@ -5,6 +5,7 @@
 
 mod back_face;
 mod clip_line;
+mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
 mod liang_barsky;
@@ -12,7 +13,9 @@ mod objects;
 mod pipeline;
 mod placing;
 mod scanline;
+mod sutherland_hodgman;
 mod transform;
+mod window;
 mod z_buffer;
 
 use crate::{
@@ -128,6 +131,7 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(cohen_sutherland::LAB),
         Box::new(liang_barsky::LAB),
         Box::new(clip_triangle::ClipTriangle),
+        Box::new(sutherland_hodgman::LAB),
         Box::new(scanline::Scanline),
         Box::new(z_buffer::ZBuffer),
     ]

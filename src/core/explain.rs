@@ -331,8 +331,10 @@ pub struct Marker {
 
 /// What the window, the tour and the trace say about a run. It lives beside the algorithm.
 pub trait Explain: State {
-    /// The algorithm's name as on the command line, and the prefix of its message ids.
+    /// The algorithm's name as on the command line.
     const NAME: &'static str;
+    /// How the ids of its sentences begin; algorithms of one family share theirs.
+    const PREFIX: &'static str = Self::NAME;
     /// Pseudocode, one line each, indented by two spaces a level.
     const LISTING: &'static [&'static str];
     /// The listing line (from 0) that `event` executes.

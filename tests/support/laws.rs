@@ -97,7 +97,7 @@ where
 #[track_caller]
 fn explains<S: Explain>(state: &S, event: &S::Event) {
     let sentence = state.sentence(event);
-    assert!(sentence.id.starts_with(S::NAME), "4: {event:?} has no sentence of its own");
+    assert!(sentence.id.starts_with(S::PREFIX), "4: {event:?} has no sentence of its own");
     says(&sentence);
     if let Some(label) = S::marker(event).and_then(|marker| marker.label) {
         says(&Message::new(label));

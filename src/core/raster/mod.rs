@@ -6,9 +6,14 @@
 //! triangle alone: not on the order of its vertices, nor on the algorithm, nor on a skip.
 
 pub mod aabb;
+pub mod backtracking;
 pub(crate) mod edge;
+pub mod homogeneous;
 pub mod scanline;
+pub mod tiled;
+pub mod traversal;
 pub(crate) mod view;
+pub mod zigzag;
 
 pub use edge::{Edge, Edges};
 
@@ -102,17 +107,30 @@ pub enum Algorithm {
     Aabb,
     /// Slopes, one span a row: [`scanline`].
     Scanline,
+    /// Three edge functions, row by row from the left side: [`backtracking`].
+    Backtracking,
+    /// Three edge functions, row by row from the middle: [`zigzag`].
+    Zigzag,
+    /// Three edge functions over nested squares: [`tiled`].
+    Tiled,
+    /// Edges in homogeneous coordinates, without a division: [`homogeneous`].
+    Homogeneous,
 }
 
 impl Algorithm {
     /// Every algorithm, the default first.
-    pub const ALL: [Self; 2] = [Self::Aabb, Self::Scanline];
+    pub const ALL: [Self; 6] =
+        [Self::Aabb, Self::Scanline, Self::Backtracking, Self::Zigzag, Self::Tiled, Self::Homogeneous];
 
     /// The name on the command line and in scene files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Aabb => "aabb",
             Self::Scanline => "scanline",
+            Self::Backtracking => "backtracking",
+            Self::Zigzag => "zigzag",
+            Self::Tiled => "tiled",
+            Self::Homogeneous => "homogeneous",
         }
     }
 
@@ -228,6 +246,13 @@ pub fn cover(
     match algorithm {
         Algorithm::Aabb => aabb::fill(vertices, settings, tally, emit),
         Algorithm::Scanline => scanline::fill(vertices, settings, tally, emit),
+        Algorithm::Backtracking => backtracking::fill(vertices, settings, tally, emit),
+        Algorithm::Zigzag => zigzag::fill(vertices, settings, tally, emit),
+        Algorithm::Tiled => tiled::fill(vertices, settings, tally, emit),
+        Algorithm::Homogeneous => {
+            let vertices = settings.vertices(vertices).map(|[x, y]| [x, y, 1.0]);
+            homogeneous::fill(vertices, None, settings, tally, emit)
+        }
     }
 }
 

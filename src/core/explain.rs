@@ -301,6 +301,11 @@ pub trait Explain: State {
     fn level(event: &Self::Event) -> Level;
     /// Its mark on the timeline, if it deserves one.
     fn marker(event: &Self::Event) -> Option<Marker>;
+    /// The name below `event`'s marker. It may name something of the run's input, which every state
+    /// of the run knows; `self` is any of them.
+    fn caption(&self, event: &Self::Event) -> Option<Message> {
+        Self::marker(event)?.label.map(Message::new)
+    }
     /// What is about to happen: the sentence of step 0.
     fn opening(&self) -> Message;
     /// What `event` did; `self` is the state after it.

@@ -10,7 +10,11 @@ use crate::{
     platform::{Platform, Purpose},
     presets::{self, Names, PresetInfo},
     run::Run,
-    shell::{canvas::Canvas, inspector::Digest, notice::Notice},
+    shell::{
+        canvas::Canvas,
+        inspector::Digest,
+        notice::{Beyond, Notice},
+    },
     theme::{self, Look},
 };
 use egui::{Context, Ui};
@@ -18,6 +22,7 @@ use rasterscope_core::{
     history::History,
     labs as core_labs,
     message::Message,
+    pipeline,
     replay::Budget,
     scene::{LabInput, Scene},
 };
@@ -43,6 +48,8 @@ pub struct App {
     /// The preset that was opened, and what it was; no longer chosen once something is edited.
     pub(crate) preset: Option<(&'static str, Scene)>,
     pub(crate) notice: Option<Notice>,
+    /// What of the scene cannot be drawn as it is.
+    beyond: Beyond,
     /// Where the document came from, and what was last written there.
     pub(crate) path: Option<String>,
     /// The document as it was opened or saved; `None`: its edits are in no file.
@@ -83,6 +90,7 @@ impl App {
             names,
             preset: None,
             notice: None,
+            beyond: Beyond::default(),
             path: None,
             clean: None,
             kept: Kept::default(),
@@ -116,6 +124,8 @@ impl App {
         self.execute(&ctx, commands, platform);
         self.play(&ctx);
         self.update();
+        self.beyond.tell(&mut self.notice, &self.words);
+        self.view.recent.note(self.labs[self.lab()].name());
 
         self.history.begin(&self.document);
         let commands = RefCell::default();
@@ -152,6 +162,7 @@ impl App {
                 Some(problem)
             }
         };
+        self.beyond.now = pipeline::out_of_range(scene);
         self.ran = Some((scene.clone(), problem));
     }
 

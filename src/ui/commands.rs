@@ -6,12 +6,12 @@ use crate::{
     face::Command,
     files,
     platform::{Platform, Purpose},
+    recent,
     shell::notice::Notice,
     theme::Look,
 };
 use egui::Context;
 use rasterscope_core::{
-    labs as core_labs,
     message::{Message, Value},
     scene,
 };
@@ -61,9 +61,11 @@ impl App {
                 self.view.orbit = None;
             }
             Command::Escape => self.escape(ctx),
-            Command::Stage(stage) => {
-                let lab = core_labs::ALL.iter().find(|lab| lab.stage == stage);
-                self.open_lab(lab.map_or("pipeline", |lab| lab.name));
+            Command::Stage(stage) => self.open_lab(self.view.recent.at(stage).unwrap_or("pipeline")),
+            Command::Lab(name) => self.open_lab(name),
+            Command::Beside(by) => {
+                let next = recent::beside(self.labs[self.lab()].name(), by);
+                next.into_iter().for_each(|name| self.open_lab(name));
             }
             Command::Preset(name) => self.open_preset(name),
             Command::Open(path) => self.open(&path, platform),

@@ -1,5 +1,6 @@
 //! The document: what undo restores and a scene file holds; and the view, which is neither.
 
+use crate::recent::Recent;
 use rasterscope_core::{
     explain::Level,
     labs,
@@ -169,6 +170,8 @@ pub(crate) struct ViewState {
     pub(crate) keys: bool,
     /// The command palette, while it is open.
     pub(crate) palette: Option<Palette>,
+    /// Which labs were open.
+    pub(crate) recent: Recent,
 }
 
 /// The command palette, while it is open.
@@ -199,6 +202,7 @@ impl Default for ViewState {
             choices: false,
             keys: false,
             palette: None,
+            recent: Recent::default(),
         }
     }
 }

@@ -52,8 +52,12 @@ pub(crate) enum Command {
     Fit,
     /// Close what lies over the canvas.
     Escape,
-    /// Open the lab of a stage, or the overview at that stage.
+    /// Open the lab of a stage that was open last, or the overview.
     Stage(Stage),
+    /// Open a lab.
+    Lab(&'static str),
+    /// Open the lab that is so many places on in its stage.
+    Beside(isize),
     /// Open a preset.
     Preset(&'static str),
     /// Open a file.

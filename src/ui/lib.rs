@@ -20,6 +20,7 @@ mod paint;
 mod panels;
 mod platform;
 mod presets;
+mod recent;
 mod run;
 mod session;
 mod shell;

@@ -20,6 +20,8 @@ pub(crate) struct Shown {
     pub(crate) marks: Vec<Mark>,
     pub(crate) view: View,
     pub(crate) markers: Vec<(usize, Marker)>,
+    /// The names below the markers.
+    pub(crate) captions: Vec<(usize, Message)>,
     /// Moves whenever anything above may have changed.
     pub(crate) rev: u64,
 }
@@ -108,9 +110,9 @@ impl Run {
     fn refresh(&mut self, new: bool) {
         let Some(playback) = &mut self.playback else { return };
         self.rev += 1;
-        let markers = match self.shown.take() {
-            Some(shown) if !new => shown.markers,
-            _ => playback.markers(),
+        let (markers, captions) = match self.shown.take() {
+            Some(shown) if !new => (shown.markers, shown.captions),
+            _ => (playback.markers(), playback.captions()),
         };
         self.shown = Some(Shown {
             cursor: playback.cursor(),
@@ -124,6 +126,7 @@ impl Run {
             marks: playback.marks(),
             view: playback.view(),
             markers,
+            captions,
             rev: self.rev,
         });
     }

@@ -3,6 +3,7 @@
 use crate::{
     document::{Document, Snap, ViewState},
     files,
+    recent::Recent,
 };
 use rasterscope_core::{
     explain::Level,
@@ -78,6 +79,8 @@ pub(crate) struct Settings {
     speed: f32,
     snap: usize,
     outlines: bool,
+    /// Names of the labs that were open, oldest first.
+    recent: Vec<String>,
 }
 
 impl Default for Settings {
@@ -96,6 +99,7 @@ impl Settings {
             speed: view.speed,
             snap: Snap::ALL.iter().position(|snap| *snap == view.snap).unwrap_or(0),
             outlines: view.outlines,
+            recent: view.recent.names().iter().map(|name| (*name).to_owned()).collect(),
         }
     }
 
@@ -108,6 +112,7 @@ impl Settings {
             view.speed = self.speed;
         }
         view.outlines = self.outlines;
+        view.recent = Recent::of(self.recent.iter().map(String::as_str));
     }
 
     /// How much bigger than normal everything is.
@@ -149,6 +154,7 @@ mod tests {
             text_size: 1e9,
             theme: "pink".into(),
             outlines: true,
+            recent: vec!["no such lab".into()],
         };
         odd.apply(&mut view);
         assert_eq!((view, odd.text_size()), (ViewState::default(), 1.0));

@@ -46,6 +46,7 @@ ui-stage-later = { $count } { $count ->
    *[other] later stages
 }
 
+ui-algorithm = Algorithm: { $name }
 ui-presets = Preset
 ui-conventions = Conventions
 ui-arithmetic = Arithmetic
@@ -98,6 +99,8 @@ ui-key-home = Home
 ui-key-space = Space
 ui-key-end = End
 ui-key-play = Play, pause
+ui-key-next-algorithm = Next algorithm of the stage
+ui-key-last-algorithm = Algorithm before, of the stage
 ui-key-fit = Fit the drawing into the canvas
 ui-key-theme = Next theme
 ui-key-bigger = Bigger

@@ -47,6 +47,8 @@ pub trait Playback: Send {
     fn view(&self) -> View;
     /// Marks of the timeline with their steps, in order.
     fn markers(&self) -> Vec<(usize, Marker)>;
+    /// The names below the marks of the timeline with their steps, in order.
+    fn captions(&self) -> Vec<(usize, Message)>;
     /// The event that led to the cursor, for logs.
     fn event_text(&self) -> Option<String>;
     /// The event that led to the cursor, as data.
@@ -149,6 +151,12 @@ impl<S: Explain> Playback for Player<S> {
     fn markers(&self) -> Vec<(usize, Marker)> {
         let mut out = Vec::new();
         self.for_each(|step, event| out.extend(S::marker(event).map(|marker| (step, marker))));
+        out
+    }
+
+    fn captions(&self) -> Vec<(usize, Message)> {
+        let mut out = Vec::new();
+        self.for_each(|step, event| out.extend(self.state.caption(event).map(|caption| (step, caption))));
         out
     }
 

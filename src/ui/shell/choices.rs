@@ -5,7 +5,7 @@ use crate::{
     face::{Command, Face},
     labs::Open,
     presets::PresetInfo,
-    shell::Frame,
+    shell::{Frame, algorithm},
     theme::{Text, small_mono},
     widgets::{down, follow_focus, heading, row, text_in},
 };
@@ -21,7 +21,7 @@ const PRESETS: f32 = 0.42;
 /// Presets and conventions scroll one below the other, never one in the other.
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, open: &mut Open<'_>) {
     let whole = ui.available_height();
-    ui.label(face.rich(&frame.title, Text::Title));
+    algorithm::show(ui, face, frame);
     ui.label(face.dim(&frame.about, Text::Label));
     presets(ui, face, frame, whole * PRESETS);
     ScrollArea::vertical().id_salt("conventions").auto_shrink(false).show(ui, |ui| {

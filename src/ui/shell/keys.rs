@@ -36,6 +36,8 @@ pub(crate) fn all() -> Vec<Shortcut> {
         (ctrl(Key::Equals), Command::Bigger, "ui-key-bigger"),
         (ctrl(Key::Minus), Command::Smaller, "ui-key-smaller"),
         (ctrl(Key::Num0), Command::TextSize(1.0), "ui-key-normal"),
+        (ctrl(Key::PageDown), Command::Beside(1), "ui-key-next-algorithm"),
+        (ctrl(Key::PageUp), Command::Beside(-1), "ui-key-last-algorithm"),
         (key(Key::F), Command::Fit, "ui-key-fit"),
         (key(Key::F8), Command::NextTheme, "ui-key-theme"),
         (key(Key::F1), Command::Keys, "ui-help-keys"),

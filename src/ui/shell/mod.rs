@@ -1,5 +1,6 @@
 //! The shell: everything round the canvas that all labs share.
 
+mod algorithm;
 pub(crate) mod canvas;
 pub(crate) mod choices;
 pub(crate) mod handles;

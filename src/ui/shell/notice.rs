@@ -8,13 +8,16 @@ use crate::{
     widgets::text_in,
 };
 use egui::{Align2, Key, Rect, Role as Part, Sense, TextEdit, Ui, WidgetInfo, vec2};
-use rasterscope_core::explain::Role;
+use rasterscope_core::{explain::Role, message::Message};
+use rasterscope_figure::words::Words;
 
 /// What lies under the ribbon.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Notice {
     /// Something failed; the document stays as it was.
     Failed(String),
+    /// What is drawn is not the scene: a product leaves the range of binary32.
+    Beyond(String),
     /// Something worked that leaves no trace on the screen.
     Done(String),
     /// There are unsaved edits, and something would take them away.
@@ -38,7 +41,9 @@ impl Notice {
     /// Its sentence and the buttons that answer it, but for a path.
     fn says(&self, face: &Face<'_>) -> (String, Vec<(&'static str, Command)>) {
         match self {
-            Self::Failed(text) | Self::Done(text) => (text.clone(), vec![("ui-dismiss", Command::Dismiss)]),
+            Self::Failed(text) | Self::Beyond(text) | Self::Done(text) => {
+                (text.clone(), vec![("ui-dismiss", Command::Dismiss)])
+            }
             Self::Unsaved(_) => (
                 face.say("ui-unsaved"),
                 vec![
@@ -64,6 +69,24 @@ impl Notice {
     }
 }
 
+/// What of the scene cannot be drawn as it is, and whether that was said.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Beyond {
+    /// The sentence; `None` for nearly every scene.
+    pub(crate) now: Option<Message>,
+    told: Option<Message>,
+}
+
+impl Beyond {
+    /// Says it once, when nothing else is being said, and takes it back when it is over.
+    pub(crate) fn tell(&mut self, notice: &mut Option<Notice>, words: &Words) {
+        if self.told != self.now && matches!(notice, None | Some(Notice::Beyond(_))) {
+            *notice = self.now.as_ref().map(|message| Notice::Beyond(words.message(message)));
+            self.told = self.now.clone();
+        }
+    }
+}
+
 /// The height of the bar.
 pub(crate) fn height(face: &Face<'_>) -> f32 {
     face.look.button_height() + 12.0
@@ -73,7 +96,7 @@ pub(crate) fn height(face: &Face<'_>) -> f32 {
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, notice: &mut Notice) {
     let rect = ui.max_rect();
     let bar = match notice {
-        Notice::Failed(_) => Some(Role::Rejected),
+        Notice::Failed(_) | Notice::Beyond(_) => Some(Role::Rejected),
         Notice::Done(_) => Some(Role::Accepted),
         Notice::Unsaved(_) | Notice::Back | Notice::Aside => Some(Role::Changed),
         Notice::Path { .. } => None,

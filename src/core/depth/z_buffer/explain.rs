@@ -55,6 +55,12 @@ impl Explain for Snapshot {
         Some(Marker { role, label })
     }
 
+    fn caption(&self, event: &Event) -> Option<Message> {
+        let label = Self::marker(event)?.label?;
+        let Event::Triangle { index } = *event else { return None };
+        Some(Message::new(label).with("object", self.name_of(Some(index))))
+    }
+
     fn opening(&self) -> Message {
         Message::new("z-buffer-opening").with("clear", self.settings.clear)
     }

@@ -73,10 +73,14 @@ fn title(ui: &mut Ui, face: &Face<'_>, table: &TextTable, key: bool) {
     });
 }
 
+/// Whether a cell holds words, not numbers.
+fn is_words(text: &str) -> bool {
+    text.chars().filter(|c| c.is_lowercase()).count() > 2
+}
+
 /// The font of a cell; `dense` where a row would not fit otherwise.
 fn font(face: &Face<'_>, text: &str, strong: bool, dense: bool) -> FontId {
-    let words = text.chars().filter(|c| c.is_lowercase()).count() > 2;
-    face.look.font(match (words, strong) {
+    face.look.font(match (is_words(text), strong) {
         (true, _) if dense => Text::Small,
         (false, _) if dense => Text::SmallMono,
         (true, false) => Text::Label,
@@ -92,21 +96,45 @@ struct Columns {
     right: Vec<f32>,
     /// Whether the smallest font is needed.
     dense: bool,
+    /// How many columns stand with the name in a line of their own above the others, if any line
+    /// has to be folded.
+    above: Option<usize>,
 }
 
+impl Columns {
+    /// The first column that does not stand beside the name.
+    fn first(&self) -> usize {
+        self.above.unwrap_or(0)
+    }
+}
+
+/// In the usual font if that fits, else in the smallest, else in two lines a row.
 fn columns(ui: &Ui, face: &Face<'_>, table: &TextTable, rows: &[TextRow]) -> Columns {
     let room = ui.available_width() - 2.0 * INSET;
-    let wide = widths(ui, face, table, rows, false);
-    let dense = wide.iter().sum::<f32>() + GAP * (wide.len() as f32 - 1.0) > room;
-    let widths = if dense { widths(ui, face, table, rows, true) } else { wide };
+    let words = |row: &TextRow| row.cells.first().is_some_and(|cell| is_words(&cell.text));
+    let above = Some(usize::from(table.columns.len() > 1 && rows.iter().any(words)));
+    let measured = |dense: bool, above: Option<usize>| {
+        let mut widths = widths(ui, face, table, rows, dense);
+        widths.drain(..above.map_or(0, |above| above + 1));
+        (dense, above, widths)
+    };
+    let ways = [(false, None), (true, None), (false, above)];
+    let fits = |widths: &[f32]| widths.iter().sum::<f32>() + GAP * (widths.len() as f32 - 1.0) <= room;
+    let mut all = ways.into_iter().map(|(dense, above)| measured(dense, above));
+    let found = all.find(|(.., widths)| fits(widths));
+    let (dense, above, widths) = found.unwrap_or_else(|| measured(true, above));
     let gaps = (widths.len() as f32 - 1.0).max(1.0);
     let gap = ((room - widths.iter().sum::<f32>()) / gaps).max(4.0);
-    let mut right = INSET + widths[0];
-    let right = widths[1..].iter().map(|width| {
+    let mut right = INSET - if above.is_some() { gap } else { 0.0 };
+    let skip = usize::from(above.is_none());
+    if let Some(names) = widths.first().filter(|_| skip == 1) {
+        right += names;
+    }
+    let right = widths.iter().skip(skip).map(|width| {
         right += width + gap;
         right
     });
-    Columns { right: right.collect(), dense }
+    Columns { right: right.collect(), dense, above }
 }
 
 /// The width of the names, then of each column.
@@ -130,7 +158,7 @@ fn heading(ui: &mut Ui, face: &Face<'_>, table: &TextTable, columns: &Columns) {
         return;
     }
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
-    for (text, right) in table.columns.iter().zip(&columns.right) {
+    for (text, right) in table.columns.iter().skip(columns.first()).zip(&columns.right) {
         let at = pos2(rect.left() + right, rect.center().y);
         let font = font(face, text, false, columns.dense);
         ui.painter().text(at, Align2::RIGHT_CENTER, text, font, face.look.dim);
@@ -145,13 +173,14 @@ fn more(ui: &mut Ui, face: &Face<'_>, count: usize) {
 
 fn show_row(ui: &mut Ui, face: &Face<'_>, row: &TextRow, columns: &Columns) {
     let look = face.look;
-    let height = look.line_height(Text::Mono) + if row.role.is_some() { 5.0 } else { 4.0 };
+    let line = look.line_height(Text::Mono) + if row.role.is_some() { 5.0 } else { 4.0 };
+    let height = if columns.above.is_some() { 2.0 * line - 4.0 } else { line };
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
-    let line = || {
+    let spoken = || {
         let cells: Vec<&str> = row.cells.iter().map(|cell| cell.text.as_str()).collect();
         WidgetInfo::labeled(Part::Label, true, format!("{} {}", row.name, cells.join(" ")))
     };
-    response.widget_info(line);
+    response.widget_info(spoken);
     if !ui.is_rect_visible(rect) {
         return;
     }
@@ -169,17 +198,22 @@ fn show_row(ui: &mut Ui, face: &Face<'_>, row: &TextRow, columns: &Columns) {
         painter.rect_filled(rect, 0, look.raised);
     }
     let strong = row.active || changed;
-    let at = pos2(rect.left() + INSET, rect.center().y);
-    let end = painter
+    let at = pos2(rect.left() + INSET, rect.top() + line / 2.0);
+    let mut end = painter
         .text(at, Align2::LEFT_CENTER, &row.name, font(face, &row.name, strong, columns.dense), look.text)
         .right();
+    for cell in &row.cells[..columns.first()] {
+        let font = font(face, &cell.text, false, columns.dense);
+        end = painter.text(pos2(end + GAP, at.y), Align2::LEFT_CENTER, &cell.text, font, look.text).right();
+    }
     let marker = row.role.or(changed.then_some(Role::Changed));
     if let Some(role) = marker {
         paint::marker(painter, pos2(end + 11.0, at.y), role, 9.0, look);
     }
-    for (cell, right) in row.cells.iter().zip(&columns.right) {
+    let y = if columns.above.is_some() { rect.bottom() - line / 2.0 } else { at.y };
+    for (cell, right) in row.cells.iter().skip(columns.first()).zip(&columns.right) {
         let font = font(face, &cell.text, strong || news(cell), columns.dense);
-        show_cell(ui, face, cell, pos2(rect.left() + right, at.y), font, row.active);
+        show_cell(ui, face, cell, pos2(rect.left() + right, y), font, row.active);
     }
     let exact: Vec<String> =
         row.cells.iter().filter(|cell| cell.exact != cell.text).map(|cell| cell.exact.clone()).collect();

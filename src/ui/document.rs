@@ -4,8 +4,9 @@ use crate::recent::Recent;
 use rasterscope_core::{
     explain::Level,
     labs,
+    labs::LabInput,
     pipeline::Skips,
-    scene::{Lab, LabInput, Scene},
+    scene::{Lab, Scene},
 };
 use rasterscope_figure::{orbit::Orbit, theme::ThemeName};
 
@@ -22,7 +23,7 @@ impl Document {
     /// A document of a scene; a scene without a lab opens the overview.
     pub(crate) fn new(mut scene: Scene) -> Self {
         // The step belongs to the view.
-        scene.lab.get_or_insert(Lab { step: None, input: LabInput::Pipeline }).step = None;
+        scene.lab.get_or_insert(Lab { step: None, input: LabInput::PIPELINE }).step = None;
         Self { scene, others: Vec::new() }
     }
 
@@ -36,17 +37,21 @@ impl Document {
         &self.others
     }
 
+    /// The inputs of all labs that are or were open.
+    fn all(&self) -> impl Iterator<Item = &LabInput> {
+        std::iter::once(self.input()).chain(&self.others)
+    }
+
     /// Whether nothing was edited between the two; which lab is open is no edit.
     pub(crate) fn same_work(&self, clean: &Self) -> bool {
-        let known = |document: &Self, name: &str| {
-            let all = std::iter::once(document.input()).chain(&document.others);
-            all.into_iter().find(|input| input.name() == name).cloned()
-        };
+        let known = |document: &Self, name: &str| document.all().find(|input| input.name() == name).cloned();
         let same = |input: &LabInput| {
             let name = input.name();
+            let from_another = |other: &LabInput| other.carried(name).as_ref() == Some(input);
             known(clean, name).or_else(|| labs::default_input(name)).as_ref() == Some(input)
+                || clean.all().any(from_another)
         };
-        if !std::iter::once(self.input()).chain(&self.others).all(same) {
+        if !self.all().all(same) {
             return false;
         }
         // The labs are compared: what else there is, without a copy of the meshes.
@@ -56,23 +61,24 @@ impl Document {
 
     /// The inputs of the open lab.
     pub(crate) fn input(&self) -> &LabInput {
-        self.scene.lab.as_ref().map_or(&LabInput::Pipeline, |lab| &lab.input)
+        self.scene.lab.as_ref().map_or(&LabInput::PIPELINE, |lab| &lab.input)
     }
 
     /// The inputs of the open lab, to edit.
     pub(crate) fn input_mut(&mut self) -> &mut LabInput {
-        &mut self.scene.lab.get_or_insert(Lab { step: None, input: LabInput::Pipeline }).input
+        &mut self.scene.lab.get_or_insert(Lab { step: None, input: LabInput::PIPELINE }).input
     }
 
-    /// Opens another lab with the inputs it had, or with `first` at its first time.
-    pub(crate) fn open_lab(&mut self, name: &str, first: impl FnOnce() -> LabInput) {
+    /// Opens another lab: with the same inputs if it can have them, so that algorithms are seen on
+    /// one line, else with those it had, or with `first` at its first time.
+    pub(crate) fn open_lab(&mut self, name: &'static str, first: impl FnOnce() -> LabInput) {
         if self.input().name() == name {
             return;
         }
         let old = self.input().clone();
         self.others.retain(|other| other.name() != old.name());
         self.others.push(old);
-        let known = self.others.iter().find(|other| other.name() == name).cloned();
+        let known = self.others.iter().rev().find_map(|other| other.carried(name));
         self.scene.lab = Some(Lab { step: None, input: known.unwrap_or_else(first) });
     }
 }
@@ -217,22 +223,40 @@ impl ViewState {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rasterscope_core::labs::ClipLine;
 
     #[test]
     fn a_lab_finds_its_inputs_again() {
-        let line = |x| LabInput::ClipLine {
-            algorithm: rasterscope_core::clip::line::Algorithm::CohenSutherland,
-            window: [0.0, 0.0, 4.0, 3.0],
-            segment: [x, 0.0, 1.0, 1.0],
-            arithmetic: Default::default(),
+        let line = |x| {
+            LabInput::ClipLine(ClipLine {
+                algorithm: rasterscope_core::clip::line::Algorithm::CohenSutherland,
+                window: [0.0, 0.0, 4.0, 3.0],
+                segment: [x, 0.0, 1.0, 1.0],
+                arithmetic: Default::default(),
+            })
         };
         let mut document = Document::new(Scene::empty([8, 8]));
-        assert_eq!(document.input(), &LabInput::Pipeline);
+        assert_eq!(document.input(), &LabInput::PIPELINE);
         document.open_lab("cohen-sutherland", || line(1.0));
         *document.input_mut() = line(2.0);
-        document.open_lab("pipeline", || LabInput::Pipeline);
+        document.open_lab("pipeline", || LabInput::PIPELINE);
         document.open_lab("cohen-sutherland", || line(3.0));
         assert_eq!(document.input(), &line(2.0));
+    }
+
+    #[test]
+    fn algorithms_of_one_family_are_seen_on_one_input() {
+        let mut document = Document::new(Scene::empty([8, 8]));
+        let first = |name| labs::default_input(name).expect("a lab");
+        document.open_lab("cohen-sutherland", || first("cohen-sutherland"));
+        let LabInput::ClipLine(line) = document.input_mut() else { panic!("it clips a line") };
+        line.segment = [1.0, 2.0, 3.0, 4.0];
+        let edited = document.clone();
+        document.open_lab("pipeline", || LabInput::PIPELINE);
+        document.open_lab("liang-barsky", || first("liang-barsky"));
+        assert_eq!(document.input(), &edited.input().carried("liang-barsky").expect("one family"));
+        assert_eq!(document.input().carried("scanline"), None);
+        assert!(document.same_work(&edited), "that is no edit");
     }
 
     #[test]

@@ -34,7 +34,7 @@ impl Recent {
 
 /// The labs of a stage, in the order of the registry.
 pub(crate) fn siblings(stage: Stage) -> impl Iterator<Item = LabInfo> {
-    labs::ALL.into_iter().filter(move |lab| lab.stage == stage)
+    labs::ALL.iter().copied().filter(move |lab| lab.stage == stage)
 }
 
 /// The lab `by` places on from one, round the labs of its stage.

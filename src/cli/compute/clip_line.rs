@@ -2,9 +2,10 @@
 
 use rasterscope_core::{
     clip::line::{Algorithm, Outcode, Segment, Window, cohen_sutherland, liang_barsky},
+    labs,
     math::{Arithmetic, Tally},
     message::Message,
-    scene::{LabInput, Scene},
+    scene::Scene,
     trace::NoTrace,
 };
 use serde::Serialize;
@@ -88,5 +89,5 @@ pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
     let input = Input::read(request)?;
     input.window()?;
     let Input { algorithm, window, segment, arithmetic } = input;
-    Ok(lab_scene([64, 64], LabInput::ClipLine { algorithm, window, segment, arithmetic }))
+    Ok(lab_scene([64, 64], labs::ClipLine { algorithm, window, segment, arithmetic }))
 }

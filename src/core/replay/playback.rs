@@ -2,7 +2,7 @@
 
 use super::Player;
 use crate::{
-    explain::{Explain, Formula, Level, Mark, Marker, Table, View},
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, Table, View},
     message::Message,
 };
 
@@ -49,6 +49,8 @@ pub trait Playback: Send {
     fn markers(&self) -> Vec<(usize, Marker)>;
     /// The names below the marks of the timeline with their steps, in order.
     fn captions(&self) -> Vec<(usize, Message)>;
+    /// What the run costs up to the cursor, and as a whole. Cost: linear in the run.
+    fn operations(&self) -> [Operations; 2];
     /// The event that led to the cursor, for logs.
     fn event_text(&self) -> Option<String>;
     /// The event that led to the cursor, as data.
@@ -158,6 +160,17 @@ impl<S: Explain> Playback for Player<S> {
         let mut out = Vec::new();
         self.for_each(|step, event| out.extend(self.state.caption(event).map(|caption| (step, caption))));
         out
+    }
+
+    fn operations(&self) -> [Operations; 2] {
+        let [mut so_far, mut whole] = [Operations::NONE; 2];
+        self.for_each(|step, event| {
+            whole += S::operations(event);
+            if step <= self.cursor {
+                so_far = whole;
+            }
+        });
+        [so_far, whole]
     }
 
     fn event_text(&self) -> Option<String> {

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     clip::line::{Border, End, Outcode, Point, Segment, Window, view},
-    explain::{Explain, Formula, Label, Level, Mark, Marker, Role, Row, Table, View},
+    explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::Arithmetic,
     message::{Message, Value},
     replay::State,
@@ -120,6 +120,14 @@ impl Explain for Snapshot {
             Event::Reject | Event::GiveUp => 5,
             Event::Choose { .. } => 6,
             Event::Cut { .. } => 7,
+        }
+    }
+
+    fn operations(event: &Event) -> Operations {
+        match event {
+            Event::Code { .. } => Operations::new(4, 0, 0),
+            Event::Cut { .. } => Operations::new(4, 1, 1),
+            _ => Operations::NONE,
         }
     }
 

@@ -1,0 +1,77 @@
+//! The labs that clip a line against a rectangular window.
+
+use super::Family;
+use crate::{
+    clip::line::{Algorithm, Window, cohen_sutherland, liang_barsky},
+    math::Arithmetic,
+    message::Message,
+    replay::{Budget, Playback},
+    scene::{Checked, Problem, Scene, each_finite, refuse_if},
+};
+use serde::{Deserialize, Serialize};
+
+/// A line against a window.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ClipLine {
+    /// The lab's own algorithm; all have the same inputs.
+    #[serde(skip)]
+    pub algorithm: Algorithm,
+    /// xmin, ymin, xmax, ymax; y up; closed.
+    pub window: [f32; 4],
+    /// x and y of the first end, x and y of the second.
+    pub segment: [f32; 4],
+    /// What the cuts are computed in.
+    #[serde(default)]
+    pub arithmetic: Arithmetic,
+}
+
+impl Family for ClipLine {
+    fn first() -> Self {
+        Self {
+            algorithm: Algorithm::default(),
+            window: [3.5, 2.0, 9.0, 6.5],
+            segment: [0.5, 0.5, 10.5, 8.5],
+            arithmetic: Arithmetic::Exact,
+        }
+    }
+
+    fn named(self, name: &'static str) -> Self {
+        let algorithm = Algorithm::ALL.into_iter().find(|algorithm| algorithm.name() == name);
+        Self { algorithm: algorithm.unwrap_or_default(), ..self }
+    }
+
+    fn name(&self) -> &'static str {
+        self.algorithm.name()
+    }
+
+    fn is_of_scene(&self) -> bool {
+        false
+    }
+
+    fn check(&self, _: &Scene) -> Checked {
+        each_finite(&self.window).map_err(|e| e.within("window"))?;
+        let [xmin, ymin, xmax, ymax] = self.window;
+        refuse_if(xmin > xmax || ymin > ymax, "window", Problem::WindowReversed)?;
+        each_finite(&self.segment).map_err(|e| e.within("segment"))?;
+        // Fixed point is for scan conversion.
+        let known = [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64];
+        let problem = Problem::UnknownName {
+            name: self.arithmetic.name().into(),
+            known: known.map(Arithmetic::name).to_vec(),
+        };
+        refuse_if(!known.contains(&self.arithmetic), "arithmetic", problem)
+    }
+
+    fn play(&self, _: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
+        let Self { algorithm, window, segment: [x1, y1, x2, y2], arithmetic } = *self;
+        let window = Window::new(window).ok_or_else(|| Message::new("error-window"))?;
+        let segment = [[x1, y1], [x2, y2]];
+        Ok(match algorithm {
+            Algorithm::CohenSutherland => {
+                Box::new(cohen_sutherland::play(segment, window, arithmetic, budget))
+            }
+            Algorithm::LiangBarsky => Box::new(liang_barsky::play(segment, window, arithmetic, budget)),
+        })
+    }
+}

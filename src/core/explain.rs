@@ -129,6 +129,15 @@ pub enum Mark {
         /// Plate at its middle.
         label: Option<Label>,
     },
+    /// A line through points that is not closed, dashed and coloured by its role as one line.
+    Curve {
+        /// In order.
+        points: Vec<[f32; 2]>,
+        /// What it means.
+        role: Role,
+        /// Plate at its middle.
+        label: Option<Label>,
+    },
     /// A line right through the picture, parallel to an axis.
     Guide {
         /// 0: `x = at`, 1: `y = at`.

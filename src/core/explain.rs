@@ -195,6 +195,15 @@ pub enum Mark {
         /// In the size of region codes.
         big: bool,
     },
+    /// What a sign means in this drawing: an entry of the legend at its foot.
+    Key {
+        /// The role whose sign it is.
+        role: Role,
+        /// The role's line or its marker.
+        sign: Sign,
+        /// What it means here.
+        meaning: Message,
+    },
     /// A picture whose pixel (0, 0) covers the cell `0..1`, `0..1`.
     Image {
         /// Width and height in pixels.
@@ -202,6 +211,15 @@ pub enum Mark {
         /// RGBA8, row by row from the top; its length is `4 * width * height`.
         rgba: std::sync::Arc<Vec<u8>>,
     },
+}
+
+/// By what a role is recognised.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// Its marker.
+    Marker,
+    /// Its line.
+    Line,
 }
 
 /// What part of the plane an algorithm is about, and how it is laid out.

@@ -16,7 +16,7 @@ use crate::{
     geometry::{Rect, centroid, distance, mix},
     grid,
     labels::{self, Anchor, Wish},
-    markers,
+    legend, markers,
     theme::Theme,
     words::Words,
 };
@@ -91,10 +91,12 @@ pub fn draw_held(
             Mark::Pixel { .. } => cells.pixel(&mut canvas, index, mark),
             Mark::Span { y, ends, role } => cells.span(&mut canvas, *y, *ends, *role),
             Mark::Text { at, label, role, big } => text(&mut canvas, *at, label, *role, *big),
+            Mark::Key { .. } => {} // at the foot, when the rest has its place
             Mark::Image { size, rgba } => image(&mut canvas, *size, rgba),
         }
     }
     let places = labels::draw(&mut canvas, &wishes, held);
+    legend::draw(&mut canvas, marks);
     (canvas.finish(), places)
 }
 

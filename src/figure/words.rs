@@ -66,6 +66,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "labs"
     "scene"
     "ui"
+    "glossary"
     "pipeline"
     "transform"
     "cohen-sutherland"

@@ -5,6 +5,7 @@ use crate::{
     face::Command,
     keeping::Kept,
     labs::{self, Lab},
+    link::Links,
     overview::Overview,
     paint::Textures,
     platform::{Platform, Purpose},
@@ -48,12 +49,16 @@ pub struct App {
     /// The preset that was opened, and what it was; no longer chosen once something is edited.
     pub(crate) preset: Option<(&'static str, Scene)>,
     pub(crate) notice: Option<Notice>,
+    /// What the pointer is on.
+    pub(crate) links: Links,
     /// What of the scene cannot be drawn as it is.
     beyond: Beyond,
     /// Where the document came from, and what was last written there.
     pub(crate) path: Option<String>,
     /// The document as it was opened or saved; `None`: its edits are in no file.
     pub(crate) clean: Option<Document>,
+    /// Whether nothing was kept: this is the first start.
+    pub(crate) first: bool,
     /// What was kept for the next start.
     pub(crate) kept: Kept,
     /// What to do once the document is saved.
@@ -90,9 +95,11 @@ impl App {
             names,
             preset: None,
             notice: None,
+            links: Links::default(),
             beyond: Beyond::default(),
             path: None,
             clean: None,
+            first: false,
             kept: Kept::default(),
             then: None,
             quitting: false,
@@ -124,7 +131,9 @@ impl App {
         self.execute(&ctx, commands, platform);
         self.play(&ctx);
         self.update();
+        self.offer(&ctx);
         self.beyond.tell(&mut self.notice, &self.words);
+        self.view.aids.apply(&ctx);
         self.view.recent.note(self.labs[self.lab()].name());
 
         self.history.begin(&self.document);
@@ -136,7 +145,7 @@ impl App {
         crate::shell::keys::keep_arrows(&ctx);
 
         let commands = commands.into_inner();
-        if edited || !commands.is_empty() {
+        if self.links.end_frame() || edited || !commands.is_empty() {
             ctx.request_repaint();
         }
         self.execute(&ctx, commands, platform);

@@ -50,12 +50,18 @@ impl App {
                 self.wear(ctx, ThemeName::ALL[(at + 1) % ThemeName::ALL.len()]);
             }
             Command::Theme(theme) => self.wear(ctx, theme),
-            Command::TextSize(size) => ctx.set_zoom_factor(size),
+            Command::TextSize(size) => {
+                ctx.set_zoom_factor(size);
+                self.notice.take_if(|notice| *notice == Notice::Large);
+            }
             Command::Bigger => resize(ctx, 1),
             Command::Smaller => resize(ctx, -1),
             Command::Palette => self.view.palette = self.view.palette.is_none().then(Palette::default),
             Command::Keys => self.view.keys = !self.view.keys,
             Command::Choices => self.view.choices = !self.view.choices,
+            Command::Hints => self.view.aids.hints = !self.view.aids.hints,
+            Command::Exact => self.view.aids.exact = !self.view.aids.exact,
+            Command::Still => self.view.aids.still = !self.view.aids.still,
             Command::Fit => {
                 self.canvas.fit();
                 self.view.orbit = None;

@@ -1,6 +1,6 @@
 //! The document: what undo restores and a scene file holds; and the view, which is neither.
 
-use crate::recent::Recent;
+use crate::{aids::Aids, recent::Recent};
 use rasterscope_core::{
     explain::Level,
     labs,
@@ -178,6 +178,8 @@ pub(crate) struct ViewState {
     pub(crate) palette: Option<Palette>,
     /// Which labs were open.
     pub(crate) recent: Recent,
+    /// Hints, exact values, less motion.
+    pub(crate) aids: Aids,
 }
 
 /// The command palette, while it is open.
@@ -209,6 +211,7 @@ impl Default for ViewState {
             keys: false,
             palette: None,
             recent: Recent::default(),
+            aids: Aids::default(),
         }
     }
 }

@@ -7,6 +7,7 @@
 //! files, and time comes with egui's input.
 #![forbid(unsafe_code)]
 
+mod aids;
 mod app;
 mod commands;
 mod document;
@@ -15,6 +16,7 @@ mod face;
 mod files;
 mod keeping;
 mod labs;
+mod link;
 mod overview;
 mod paint;
 mod panels;

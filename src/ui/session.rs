@@ -1,6 +1,7 @@
 //! What is kept from one start to the next: the work, and how it is looked at.
 
 use crate::{
+    aids::Aids,
     document::{Document, Snap, ViewState},
     files,
     recent::Recent,
@@ -82,6 +83,7 @@ pub(crate) struct Settings {
     outlines: bool,
     /// Names of the labs that were open, oldest first.
     recent: Vec<String>,
+    aids: Aids,
 }
 
 impl Default for Settings {
@@ -101,6 +103,7 @@ impl Settings {
             snap: Snap::ALL.iter().position(|snap| *snap == view.snap).unwrap_or(0),
             outlines: view.outlines,
             recent: view.recent.names().iter().map(|name| (*name).to_owned()).collect(),
+            aids: view.aids,
         }
     }
 
@@ -113,6 +116,7 @@ impl Settings {
             view.speed = self.speed;
         }
         view.outlines = self.outlines;
+        view.aids = self.aids;
         view.recent = Recent::of(self.recent.iter().map(String::as_str));
     }
 
@@ -158,6 +162,7 @@ mod tests {
             theme: "pink".into(),
             outlines: true,
             recent: vec!["no such lab".into()],
+            aids: Aids::default(),
         };
         odd.apply(&mut view);
         assert_eq!((view, odd.text_size()), (ViewState::default(), 1.0));

@@ -25,6 +25,19 @@ ui-theme-light = Light
 ui-theme-projector = Projector
 ui-text-percent = { $percent } %
 ui-help-keys = Keys
+ui-help-hints = Hints for the start
+ui-hints-close = Close the hints; the help menu has them
+ui-hint-drag = Drag a ring or a square: every number of every stage follows.
+ui-hint-step = Step with → and ←: the lit line says what was done.
+ui-hint-pixel = Click a pixel of the image: it tells why it is drawn or not.
+ui-lecture = { $count ->
+    [one] Lecture: { $heading }
+   *[other] Lectures ({ $count }): { $heading }
+}
+ui-lectures = In the lectures
+ui-view-exact = Exact values, with their bits
+ui-view-still = Less motion
+ui-key-exact = Exact values, with their bits
 
 ui-palette = Commands
 ui-palette-hint = Type what you want to do
@@ -124,11 +137,16 @@ ui-unsaved = There are unsaved edits.
 ui-discard = Discard
 ui-later = Later
 ui-bring-back = Bring it back
+ui-large = This window is large. Make everything half as big again? The view menu has more sizes.
+ui-large-yes = 150 %
+ui-large-no = Not now
 ui-work-back = The unsaved work of last time is back.
 ui-work-aside = There is unsaved work of last time.
 ui-no-picture = There is nothing on the canvas to export.
 ui-picture-ending = A picture's name ends in .svg or .png.
 ui-copied-picture = The picture is on the clipboard.
+ui-copy-value = A click copies the value.
+ui-copied-value = { $value } is on the clipboard.
 ui-copied-values = The values are on the clipboard.
 ui-error-keep = Unsaved work cannot be kept for the next start: { $reason }. Save it to a file.
 ui-no-dialog = There is no file dialog here: type the path, or drop the file on the window.

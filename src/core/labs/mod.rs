@@ -6,11 +6,13 @@
 //! a line in [`ALL`], and for a new family a line in [`LabInput`].
 
 mod clip_line;
+mod lectures;
 mod pipeline;
 mod scanline;
 mod transform;
 mod z_buffer;
 
+pub use self::lectures::Topic;
 pub use self::{
     clip_line::ClipLine, pipeline::Pipeline, scanline::Scanline, transform::Transform, z_buffer::ZBuffer,
 };

@@ -57,7 +57,7 @@ fn role_of(mark: &mut Mark) -> Option<(&mut Role, u8)> {
         Mark::Pixel { role, .. } => Some((role, 3)),
         Mark::Guide { role, .. } => Some((role, 4)),
         Mark::Curve { role, .. } => Some((role, 5)),
-        Mark::Span { .. } | Mark::Text { .. } | Mark::Image { .. } => None,
+        Mark::Span { .. } | Mark::Text { .. } | Mark::Key { .. } | Mark::Image { .. } => None,
     }
 }
 

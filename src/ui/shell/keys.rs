@@ -39,6 +39,7 @@ pub(crate) fn all() -> Vec<Shortcut> {
         (ctrl(Key::PageDown), Command::Beside(1), "ui-key-next-algorithm"),
         (ctrl(Key::PageUp), Command::Beside(-1), "ui-key-last-algorithm"),
         (key(Key::F), Command::Fit, "ui-key-fit"),
+        (key(Key::F2), Command::Exact, "ui-key-exact"),
         (key(Key::F8), Command::NextTheme, "ui-key-theme"),
         (key(Key::F1), Command::Keys, "ui-help-keys"),
         (key(Key::Escape), Command::Escape, "ui-key-escape"),

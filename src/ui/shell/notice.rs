@@ -11,6 +11,9 @@ use egui::{Align2, Key, Rect, Role as Part, Sense, TextEdit, Ui, WidgetInfo, vec
 use rasterscope_core::{explain::Role, message::Message};
 use rasterscope_figure::words::Words;
 
+/// How much bigger everything may be in a large window.
+const LARGE: f32 = 1.5;
+
 /// What lies under the ribbon.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Notice {
@@ -26,6 +29,8 @@ pub(crate) enum Notice {
     Back,
     /// There is unsaved work of another time.
     Aside,
+    /// The window is so large that everything could be bigger.
+    Large,
     /// A path is asked for.
     Path {
         /// What for.
@@ -64,6 +69,10 @@ impl Notice {
                     ("ui-later", Command::Dismiss),
                 ],
             ),
+            Self::Large => (
+                face.say("ui-large"),
+                vec![("ui-large-yes", Command::TextSize(LARGE)), ("ui-large-no", Command::Dismiss)],
+            ),
             Self::Path { .. } => (String::new(), Vec::new()),
         }
     }
@@ -99,7 +108,7 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, notice: &mut Notice) {
         Notice::Failed(_) | Notice::Beyond(_) => Some(Role::Rejected),
         Notice::Done(_) => Some(Role::Accepted),
         Notice::Unsaved(_) | Notice::Back | Notice::Aside => Some(Role::Changed),
-        Notice::Path { .. } => None,
+        Notice::Large | Notice::Path { .. } => None,
     };
     let color = bar.map_or(face.look.text, |role| face.look.role(role));
     ui.painter().rect_filled(Rect::from_min_size(rect.min, vec2(4.0, rect.height())), 0, color);

@@ -24,6 +24,8 @@ struct Memory {
     kept: BTreeMap<String, Vec<u8>>,
     writes: usize,
     full: bool,
+    /// Whether the hints of a first start are wanted.
+    hints: bool,
 }
 
 impl Platform for Memory {
@@ -109,6 +111,7 @@ fn window_on(width: f32, height: f32, platform: Memory) -> Window {
                 let app = app.get_or_insert_with(|| {
                     let mut app = App::new(ui.ctx());
                     app.start(ui.ctx(), None, platform);
+                    app.view.aids.hints &= platform.hints;
                     app
                 });
                 app.ui(&mut whole, platform);

@@ -1,9 +1,12 @@
 //! Headless tests over core, figure and cli: laws that hold for every algorithm, golden logs,
 //! conformance. No display, no network, no clock.
 
+mod back_face;
 mod cli;
+mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
+mod compare;
 mod compute;
 mod coverage;
 mod house;
@@ -18,6 +21,7 @@ mod scanline;
 mod scene;
 mod scene_errors;
 mod support;
+mod sutherland_hodgman;
 mod tour;
 mod transform;
 mod z_buffer;

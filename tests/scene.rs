@@ -146,7 +146,7 @@ fn every_field_survives_the_round_trip() {
         segment: [0.1, 0.2, 0.3, 0.4],
         arithmetic: Arithmetic::F64,
     };
-    assert_eq!(scene.lab, Some(Lab { step: Some(3), input: lab.into() }));
+    assert_eq!(scene.lab, Some(Lab { step: Some(3), ..Lab::new(lab) }));
 }
 
 #[test]

@@ -29,6 +29,8 @@ mod labels;
 pub mod layout;
 mod legend;
 pub mod orbit;
+pub mod space;
 
+pub mod animation;
 pub mod png;
 pub mod svg;

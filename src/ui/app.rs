@@ -2,10 +2,13 @@
 
 use crate::{
     document::{Document, ViewState},
+    evaluation::Evaluation,
     face::Command,
+    film::Film,
     keeping::Kept,
     labs::{self, Lab},
     link::Links,
+    opening::Opening,
     overview::Overview,
     paint::Textures,
     platform::{Platform, Purpose},
@@ -22,9 +25,6 @@ use egui::{Context, Ui};
 use rasterscope_core::{
     history::History,
     labs::{self as core_labs, LabInput},
-    message::Message,
-    pipeline,
-    replay::Budget,
     scene::Scene,
 };
 use rasterscope_figure::words::Words;
@@ -37,8 +37,7 @@ pub struct App {
     pub(crate) history: History<Document>,
     pub(crate) view: ViewState,
     pub(crate) run: Run,
-    /// The scene that the run is of, and why there is no run.
-    ran: Option<(Scene, Option<Message>)>,
+    pub(crate) evaluation: Evaluation,
     pub(crate) digest: Option<Digest>,
     pub(crate) overview: Overview,
     pub(crate) canvas: Canvas,
@@ -53,6 +52,10 @@ pub struct App {
     pub(crate) links: Links,
     /// What of the scene cannot be drawn as it is.
     beyond: Beyond,
+    /// The file that is being opened.
+    pub(crate) opening: Option<Opening>,
+    /// The animated picture that is being made.
+    pub(crate) film: Option<Film>,
     /// Where the document came from, and what was last written there.
     pub(crate) path: Option<String>,
     /// The document as it was opened or saved; `None`: its edits are in no file.
@@ -85,7 +88,7 @@ impl App {
             history: History::default(),
             view,
             run: Run::default(),
-            ran: None,
+            evaluation: Evaluation::default(),
             digest: None,
             overview: Overview::default(),
             canvas: Canvas::default(),
@@ -97,6 +100,8 @@ impl App {
             notice: None,
             links: Links::default(),
             beyond: Beyond::default(),
+            opening: None,
+            film: None,
             path: None,
             clean: None,
             first: false,
@@ -126,13 +131,20 @@ impl App {
             Purpose::Open => Command::Open(path),
             Purpose::Save => Command::SaveAs(path),
             Purpose::Picture => Command::Picture(path),
+            Purpose::Film => Command::Film(path),
         }));
         commands.extend(crate::shell::keys::pressed(&ctx, self.canvas.handles()));
         self.execute(&ctx, commands, platform);
+        self.end_opening(&ctx, platform);
+        self.end_film(&ctx, platform);
         self.play(&ctx);
-        self.update();
+        if self.only_opening(&ctx) {
+            ui.painter().rect_filled(ui.max_rect(), 0, self.look.panel);
+            return;
+        }
+        self.update(&ctx, platform);
         self.offer(&ctx);
-        self.beyond.tell(&mut self.notice, &self.words);
+        self.beyond.tell(self.evaluation.beyond(), &mut self.notice, &self.words);
         self.view.aids.apply(&ctx);
         self.view.recent.note(self.labs[self.lab()].name());
 
@@ -154,27 +166,6 @@ impl App {
         self.autosave(&ctx, platform);
     }
 
-    /// Starts the run anew if what it depends on has changed.
-    pub(crate) fn update(&mut self) {
-        let scene = &self.document.scene;
-        self.overview.update(scene, self.view.skips);
-        if self.ran.as_ref().is_some_and(|(old, _)| old == scene) {
-            return;
-        }
-        let problem = match core_labs::play(scene, Budget::default()) {
-            Ok(playback) => {
-                self.run.set(playback);
-                None
-            }
-            Err(problem) => {
-                self.run.clear();
-                Some(problem)
-            }
-        };
-        self.beyond.now = pipeline::out_of_range(scene);
-        self.ran = Some((scene.clone(), problem));
-    }
-
     /// Takes the steps that are due, and asks for the frame in which the next one is.
     fn play(&mut self, ctx: &Context) {
         let Some(due) = self.view.due else { return };
@@ -193,11 +184,6 @@ impl App {
         }
     }
 
-    /// Why nothing runs, if so.
-    pub(crate) fn problem(&self) -> Option<String> {
-        self.ran.as_ref().and_then(|(_, problem)| problem.as_ref()).map(|problem| self.words.message(problem))
-    }
-
     /// The open lab.
     pub(crate) fn lab(&self) -> usize {
         let name = self.document.input().name();
@@ -209,6 +195,7 @@ impl App {
         self.document.open_lab(name, || core_labs::default_input(name).unwrap_or(LabInput::PIPELINE));
         self.view.due = None;
         self.canvas.fit();
+        self.view.outside = None;
     }
 
     /// Replaces the document; can be undone.
@@ -226,12 +213,8 @@ impl App {
         self.view.due = None;
         self.view.pixel = None;
         self.notice = None;
-        self.run.clear();
-        self.ran = None;
-        self.update();
-        if let Some(step) = step {
-            self.run.seek(step);
-        }
+        self.start_anew(step);
         self.canvas.fit();
+        self.view.outside = None;
     }
 }

@@ -5,6 +5,7 @@ use crate::{
     document::Palette,
     face::Command,
     files,
+    opening::When,
     platform::{Platform, Purpose},
     recent,
     shell::notice::Notice,
@@ -15,7 +16,7 @@ use rasterscope_core::{
     message::{Message, Value},
     scene,
 };
-use rasterscope_figure::theme::ThemeName;
+use rasterscope_figure::{theme::ThemeName, words::reason};
 use std::rc::Rc;
 
 impl App {
@@ -65,6 +66,7 @@ impl App {
             Command::Fit => {
                 self.canvas.fit();
                 self.view.orbit = None;
+                self.view.outside = None;
             }
             Command::Escape => self.escape(ctx),
             Command::Stage(stage) => self.open_lab(self.view.recent.at(stage).unwrap_or("pipeline")),
@@ -74,21 +76,25 @@ impl App {
                 next.into_iter().for_each(|name| self.open_lab(name));
             }
             Command::Preset(name) => self.open_preset(name),
-            Command::Open(path) => self.open(&path, platform),
+            Command::Open(path) => self.open(ctx, &path, When::Later, platform),
             Command::Choose(purpose) => {
-                if !platform.choose_file(purpose) {
+                let proposed = self.proposed(purpose);
+                if !platform.choose_file(purpose, files::split(&proposed)[1]) {
                     self.notice = Some(Notice::Failed(self.words.word("ui-no-dialog")));
                 }
             }
             Command::AskOpen => self.ask_path(Purpose::Open),
             Command::AskSave => self.ask_path(Purpose::Save),
             Command::AskPicture => self.ask_path(Purpose::Picture),
+            Command::AskFilm => self.ask_path(Purpose::Film),
             Command::SaveAs(path) => self.save(ctx, &path, platform),
             Command::Save => match self.path.clone().filter(|path| path.ends_with(".json")) {
                 Some(path) => self.save(ctx, &path, platform),
                 None => self.ask_path(Purpose::Save),
             },
             Command::Picture(path) => self.write_picture(&path, platform),
+            Command::Film(path) => self.start_film(ctx, &path, platform),
+            Command::Stop => self.stop(),
             Command::CopyPicture => self.copy_picture(ctx),
             Command::CopyValues => self.copy_values(ctx),
             Command::Dismiss => {
@@ -96,7 +102,7 @@ impl App {
                 self.then = None;
             }
             Command::Reset => {
-                self.reset(platform);
+                self.reset(ctx, platform);
                 self.notice = None;
             }
             Command::SaveFirst => {
@@ -110,7 +116,7 @@ impl App {
                     self.one(ctx, *then, platform);
                 }
             }
-            Command::BringBack => self.bring_back(platform),
+            Command::BringBack => self.bring_back(ctx, platform),
             Command::Forget => {
                 self.forget(platform);
                 self.notice = None;
@@ -160,19 +166,25 @@ impl App {
             self.then = None;
         } else if self.view.choices {
             self.view.choices = false;
-        } else {
+        } else if self.view.playing() {
             self.view.due = None;
+        } else {
+            self.stop();
         }
     }
 
     fn ask_path(&mut self, purpose: Purpose) {
-        let path = match (purpose, &self.path) {
-            (Purpose::Picture, _) => "picture.svg".to_owned(),
+        self.notice = Some(Notice::Path { purpose, path: self.proposed(purpose), fresh: true });
+    }
+
+    /// The path that is offered.
+    fn proposed(&self, purpose: Purpose) -> String {
+        match (purpose, &self.path) {
+            (Purpose::Picture | Purpose::Film, _) => self.picture_path(purpose),
             (_, Some(path)) if purpose == Purpose::Open || path.ends_with(".json") => path.clone(),
             (Purpose::Open, _) => String::new(),
             (Purpose::Save, _) => "scene.json".to_owned(),
-        };
-        self.notice = Some(Notice::Path { purpose, path, fresh: true });
+        }
     }
 
     /// Opens a preset of the program.
@@ -183,26 +195,6 @@ impl App {
                 self.replace(scene);
                 self.path = None;
                 self.preset = Some((name, self.document.scene.clone()));
-            }
-            Err(problem) => self.notice = Some(Notice::Failed(self.words.message(&problem))),
-        }
-    }
-
-    /// Opens a scene or a model, or the preset of that name where there is no such file. If that
-    /// fails the document stays as it is.
-    pub fn open(&mut self, path: &str, platform: &mut dyn Platform) {
-        let read = platform.read(path);
-        if let (Err(_), Some(preset)) = (&read, scene::preset(path)) {
-            return self.open_preset(preset.name);
-        }
-        let opened = read
-            .map_err(|error| unreadable("ui-error-read", path, &error))
-            .and_then(|bytes| files::open(path, &bytes, &mut |file| platform.read(file).ok()));
-        match opened {
-            Ok(scene) => {
-                self.replace(scene);
-                self.preset = None;
-                self.path = Some(path.to_owned());
             }
             Err(problem) => self.notice = Some(Notice::Failed(self.words.message(&problem))),
         }
@@ -219,7 +211,7 @@ impl App {
             self.path = Some(path.to_owned());
             self.clean = Some(self.document.clone());
         }
-        self.written(path, done);
+        self.saved(path, done);
         if let Some(then) = then {
             self.one(ctx, *then, platform);
         }
@@ -240,5 +232,5 @@ fn resize(ctx: &Context, by: isize) {
 
 /// What went wrong with a file.
 pub(crate) fn unreadable(id: &'static str, path: &str, error: &std::io::Error) -> Message {
-    Message::new(id).with("path", Value::text(path)).with("reason", Value::text(error))
+    Message::new(id).with("path", Value::text(path)).with("reason", reason(error))
 }

@@ -23,7 +23,7 @@ impl Document {
     /// A document of a scene; a scene without a lab opens the overview.
     pub(crate) fn new(mut scene: Scene) -> Self {
         // The step belongs to the view.
-        scene.lab.get_or_insert(Lab { step: None, input: LabInput::PIPELINE }).step = None;
+        scene.lab.get_or_insert(Lab::new(LabInput::PIPELINE)).step = None;
         Self { scene, others: Vec::new() }
     }
 
@@ -54,9 +54,7 @@ impl Document {
         if !self.all().all(same) {
             return false;
         }
-        // The labs are compared: what else there is, without a copy of the meshes.
-        let bare = |document: &Self| Scene { lab: None, ..document.scene.clone() };
-        bare(self) == bare(clean)
+        self.scene.same_picture(&clean.scene)
     }
 
     /// The inputs of the open lab.
@@ -66,7 +64,7 @@ impl Document {
 
     /// The inputs of the open lab, to edit.
     pub(crate) fn input_mut(&mut self) -> &mut LabInput {
-        &mut self.scene.lab.get_or_insert(Lab { step: None, input: LabInput::PIPELINE }).input
+        &mut self.scene.lab.get_or_insert(Lab::new(LabInput::PIPELINE)).input
     }
 
     /// Opens another lab: with the same inputs if it can have them, so that algorithms are seen on
@@ -79,7 +77,7 @@ impl Document {
         self.others.retain(|other| other.name() != old.name());
         self.others.push(old);
         let known = self.others.iter().rev().find_map(|other| other.carried(name));
-        self.scene.lab = Some(Lab { step: None, input: known.unwrap_or_else(first) });
+        self.scene.lab = Some(Lab::new(known.unwrap_or_else(first)));
     }
 }
 
@@ -162,6 +160,8 @@ pub(crate) struct ViewState {
     pub(crate) pixel: Option<[u32; 2]>,
     /// The camera outside the frustum, once it was used.
     pub(crate) orbit: Option<Orbit>,
+    /// The camera of a lab that draws in space, once the user has turned it.
+    pub(crate) outside: Option<Orbit>,
     /// What the pipeline may leave out; it never changes the image.
     pub(crate) skips: Skips,
     /// What the overview's canvas shows.
@@ -203,6 +203,7 @@ impl Default for ViewState {
             tab: Tab::Step,
             pixel: None,
             orbit: None,
+            outside: None,
             skips: Skips::ALL,
             scenery: Scenery::Image,
             outlines: true,

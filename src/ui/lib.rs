@@ -11,12 +11,15 @@ mod aids;
 mod app;
 mod commands;
 mod document;
+mod evaluation;
 mod export;
 mod face;
 mod files;
+mod film;
 mod keeping;
 mod labs;
 mod link;
+mod opening;
 mod overview;
 mod paint;
 mod panels;
@@ -26,11 +29,12 @@ mod recent;
 mod run;
 mod session;
 mod shell;
+mod task;
 mod theme;
 mod widgets;
 
 pub use app::App;
-pub use platform::{Platform, Purpose};
+pub use platform::{Platform, Purpose, Reader};
 
 #[cfg(test)]
 mod tests;

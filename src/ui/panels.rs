@@ -88,11 +88,12 @@ impl App {
                 .frame(plain(look.panel, Margin::ZERO))
                 .show(ui, |ui| notice::show(ui, &face, notice));
         }
+        let busy = self.busy(ui.ctx());
         Panel::bottom("timeline")
             .exact_size(if look.projector() { 76.0 } else { 64.0 })
             .resizable(false)
             .frame(plain(look.panel, Margin::ZERO))
-            .show(ui, |ui| timeline::show(ui, &face, self.run.shown(), &self.view));
+            .show(ui, |ui| timeline::show(ui, &face, self.run.shown(), &self.view, busy.as_ref()));
         if !narrow {
             Panel::left("choices")
                 .exact_size(if whole < shell::WIDE {
@@ -191,11 +192,15 @@ impl App {
             (Some(picture), _) => Some(Drawing {
                 marks: &picture.marks,
                 view: &picture.view,
+                vantage: None,
                 rev: (picture.maker, picture.rev),
             }),
-            (None, Some(shown)) => {
-                Some(Drawing { marks: &shown.marks, view: &shown.view, rev: (Maker::Run, shown.rev) })
-            }
+            (None, Some(shown)) => Some(Drawing {
+                marks: &shown.marks,
+                view: &shown.view,
+                vantage: shown.vantage.as_ref(),
+                rev: (Maker::Run, shown.rev),
+            }),
             (None, None) => None,
         };
         let Some(drawing) = drawing else {

@@ -5,17 +5,20 @@
 
 use std::io;
 
+/// The bytes of a file, by its path.
+pub type Reader = Box<dyn FnMut(&str) -> io::Result<Vec<u8>> + Send>;
+
 /// Files, as far as the window reads and writes them.
 pub trait Platform {
-    /// The bytes of a file.
-    fn read(&mut self, path: &str) -> io::Result<Vec<u8>>;
+    /// Gives the bytes of files, also to work beside the window.
+    fn reader(&mut self) -> Reader;
 
     /// Writes a file whole or not at all.
     fn write(&mut self, path: &str, bytes: &[u8]) -> io::Result<()>;
 
-    /// Lets the user choose a file; the answer comes later, by [`Self::chosen`].
-    /// `false` if there is no such dialog here: a path can still be typed.
-    fn choose_file(&mut self, purpose: Purpose) -> bool;
+    /// Lets the user choose a file, a new one of the name `proposed` perhaps; the answer comes later,
+    /// by [`Self::chosen`]. `false` if there is no such dialog here: a path can still be typed.
+    fn choose_file(&mut self, purpose: Purpose, proposed: &str) -> bool;
 
     /// The file chosen since the last call, and for what.
     fn chosen(&mut self) -> Option<(Purpose, String)>;
@@ -25,6 +28,10 @@ pub trait Platform {
 
     /// Keeps bytes in the program's own folder, whole or not at all.
     fn keep(&mut self, name: &str, bytes: &[u8]) -> io::Result<()>;
+
+    /// Does work beside the window, and has a frame painted when it is done. Where nothing can be
+    /// beside the window, it is done before this returns.
+    fn spawn(&mut self, work: Box<dyn FnOnce() + Send>);
 }
 
 /// What a file is chosen for.
@@ -36,4 +43,6 @@ pub enum Purpose {
     Save,
     /// A picture to write.
     Picture,
+    /// An animated picture to write.
+    Film,
 }

@@ -1,7 +1,7 @@
 //! The run on screen: a playback, and what it shows at its cursor.
 
 use rasterscope_core::{
-    explain::{Formula, Level, Mark, Marker, Table, View},
+    explain::{Formula, Level, Mark, Marker, Table, Vantage, View},
     message::Message,
     replay::Playback,
 };
@@ -19,6 +19,7 @@ pub(crate) struct Shown {
     pub(crate) before: Vec<Table>,
     pub(crate) marks: Vec<Mark>,
     pub(crate) view: View,
+    pub(crate) vantage: Option<Vantage>,
     pub(crate) markers: Vec<(usize, Marker)>,
     /// The names below the markers.
     pub(crate) captions: Vec<(usize, Message)>,
@@ -125,6 +126,7 @@ impl Run {
             tables: playback.tables(),
             marks: playback.marks(),
             view: playback.view(),
+            vantage: playback.vantage(),
             markers,
             captions,
             rev: self.rev,

@@ -4,22 +4,17 @@ use rasterscope_core::{
     clip::line::{Algorithm, Outcode, Segment, Window, cohen_sutherland, liang_barsky},
     labs,
     math::{Arithmetic, Tally},
-    message::Message,
     scene::Scene,
     trace::NoTrace,
 };
 use serde::Serialize;
 
-use super::{
-    Request, lab_scene,
-    refusal::{Refusal, text},
-    wide,
-};
+use super::{Refusal, Request, lab_scene, wide};
 
 /// What a `clip_line` request asks for.
 struct Input {
     algorithm: Algorithm,
-    window: [f32; 4],
+    window: Window,
     segment: [f32; 4],
     arithmetic: Arithmetic,
 }
@@ -30,16 +25,9 @@ impl Input {
         let algorithm = request.choice(names, &Algorithm::ALL, Algorithm::name, &[])?;
         Ok(Self {
             algorithm: algorithm.unwrap_or_default(),
-            window: request.required("window")?.numbers()?,
+            window: request.window()?,
             segment: request.required("segment")?.numbers()?,
             arithmetic: request.arithmetic_of(&[Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64])?,
-        })
-    }
-
-    fn window(&self) -> Result<Window, Refusal> {
-        Window::new(self.window).ok_or_else(|| {
-            let message = Message::new("error-empty-window").with("field", text("window"));
-            Refusal::new("bad-window", message)
         })
     }
 }
@@ -58,14 +46,14 @@ pub(super) struct Answer {
 
 pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
     let input = Input::read(request)?;
-    let window = input.window()?;
+    let window = input.window;
     let [x0, y0, x1, y1] = input.segment;
     let ends: Segment = [[x0, y0], [x1, y1]];
     let (arithmetic, mut tally) = (input.arithmetic, Tally::default());
     let (clipped, outcodes, t) = match input.algorithm {
         Algorithm::CohenSutherland => {
             let clipped = cohen_sutherland::clip_traced(ends, &window, arithmetic, &mut tally, &mut NoTrace);
-            (clipped, Some(ends.map(|end| Outcode::of(end, input.window))), None)
+            (clipped, Some(ends.map(|end| Outcode::of(end, window.array()))), None)
         }
         Algorithm::LiangBarsky => {
             let visible = liang_barsky::clip_traced(ends, &window, arithmetic, &mut tally, &mut NoTrace);
@@ -87,7 +75,7 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
 /// The same request as a scene that opens a lab.
 pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
     let input = Input::read(request)?;
-    input.window()?;
     let Input { algorithm, window, segment, arithmetic } = input;
+    let window = window.array();
     Ok(lab_scene([64, 64], labs::ClipLine { algorithm, window, segment, arithmetic }))
 }

@@ -3,12 +3,16 @@
 use super::Family;
 use crate::{
     clip::line::{Algorithm, Window, cohen_sutherland, liang_barsky},
+    compare::Setting,
     math::Arithmetic,
     message::Message,
     replay::{Budget, Playback},
     scene::{Checked, Problem, Scene, each_finite, refuse_if},
 };
 use serde::{Deserialize, Serialize};
+
+/// Fixed point is for scan conversion.
+pub(super) const ARITHMETICS: [Arithmetic; 3] = [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64];
 
 /// A line against a window.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -54,13 +58,7 @@ impl Family for ClipLine {
         let [xmin, ymin, xmax, ymax] = self.window;
         refuse_if(xmin > xmax || ymin > ymax, "window", Problem::WindowReversed)?;
         each_finite(&self.segment).map_err(|e| e.within("segment"))?;
-        // Fixed point is for scan conversion.
-        let known = [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64];
-        let problem = Problem::UnknownName {
-            name: self.arithmetic.name().into(),
-            known: known.map(Arithmetic::name).to_vec(),
-        };
-        refuse_if(!known.contains(&self.arithmetic), "arithmetic", problem)
+        check_arithmetic(self.arithmetic)
     }
 
     fn play(&self, _: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
@@ -74,4 +72,25 @@ impl Family for ClipLine {
             Algorithm::LiangBarsky => Box::new(liang_barsky::play(segment, window, arithmetic, budget)),
         })
     }
+
+    fn settings(&self, _: &Scene) -> Vec<Setting> {
+        ARITHMETICS.map(Setting::Arithmetic).to_vec()
+    }
+
+    fn setting(&self, like: Setting) -> Option<Setting> {
+        matches!(like, Setting::Arithmetic(_)).then_some(Setting::Arithmetic(self.arithmetic))
+    }
+
+    fn set(&mut self, setting: Setting) {
+        if let Setting::Arithmetic(arithmetic) = setting {
+            self.arithmetic = arithmetic;
+        }
+    }
+}
+
+/// Refuses an arithmetic that the lab does not compute in.
+pub(super) fn check_arithmetic(arithmetic: Arithmetic) -> Checked {
+    let known = ARITHMETICS.map(Arithmetic::name).to_vec();
+    let problem = Problem::UnknownName { name: arithmetic.name().into(), known };
+    refuse_if(!ARITHMETICS.contains(&arithmetic), "arithmetic", problem)
 }

@@ -5,7 +5,10 @@
 //! makes sense there, and how a run starts. Adding a lab is such a file (or a name more in one),
 //! a line in [`ALL`], and for a new family a line in [`LabInput`].
 
+mod back_face;
 mod clip_line;
+mod clip_polygon;
+mod clip_triangle;
 mod lectures;
 mod pipeline;
 mod scanline;
@@ -14,11 +17,13 @@ mod z_buffer;
 
 pub use self::lectures::Topic;
 pub use self::{
-    clip_line::ClipLine, pipeline::Pipeline, scanline::Scanline, transform::Transform, z_buffer::ZBuffer,
+    back_face::BackFace, clip_line::ClipLine, clip_polygon::ClipPolygon, clip_triangle::ClipTriangle,
+    pipeline::Pipeline, scanline::Scanline, transform::Transform, z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
 
 use crate::{
+    compare::Setting,
     message::{Message, Value},
     raster,
     replay::{Budget, Playback},
@@ -73,8 +78,11 @@ impl fmt::Debug for LabInfo {
 pub const ALL: &[LabInfo] = &[
     LabInfo::new::<Pipeline>("pipeline", Stage::Image),
     LabInfo::new::<Transform>("transform", Stage::ClipSpace),
+    LabInfo::new::<BackFace>("back-face", Stage::Cull),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
+    LabInfo::new::<ClipTriangle>("clip-triangle", Stage::Clip),
+    LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
 ];
@@ -111,6 +119,20 @@ pub(crate) trait Family: Clone + Serialize + DeserializeOwned + Into<LabInput> {
 
     /// Starts the run, at step 0. The message says what about the input cannot be run.
     fn play(&self, scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message>;
+
+    /// Every value of every setting that the run reads, its own included: what it can be compared
+    /// with. The algorithms of the family go without saying.
+    fn settings(&self, _scene: &Scene) -> Vec<Setting> {
+        Vec::new()
+    }
+
+    /// The value here of a setting that is an input of this family; `None` if it is none.
+    fn setting(&self, _like: Setting) -> Option<Setting> {
+        None
+    }
+
+    /// Takes the value of a setting that is an input of this family; leaves others alone.
+    fn set(&mut self, _setting: Setting) {}
 }
 
 macro_rules! families {
@@ -151,6 +173,29 @@ macro_rules! families {
                 match self { $(Self::$family(input) => input.check(scene),)* }
             }
 
+            /// Every value of every setting that the run reads, its own included.
+            pub(crate) fn settings(&self, scene: &Scene) -> Vec<Setting> {
+                match self { $(Self::$family(input) => input.settings(scene),)* }
+            }
+
+            /// The value here of a setting that is an input; `None` if it is none.
+            pub(crate) fn setting(&self, like: Setting) -> Option<Setting> {
+                match (self, like) {
+                    (_, Setting::Algorithm(_)) => Some(Setting::Algorithm(self.name())),
+                    $((Self::$family(input), like) => input.setting(like),)*
+                }
+            }
+
+            /// Takes the value of a setting that is an input; leaves others alone.
+            pub(crate) fn set(&mut self, setting: Setting) {
+                match (self, setting) {
+                    $((Self::$family(input), Setting::Algorithm(name)) => {
+                        *input = input.clone().named(name);
+                    })*
+                    $((Self::$family(input), setting) => input.set(setting),)*
+                }
+            }
+
             fn play(&self, scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
                 match self { $(Self::$family(input) => input.play(scene, budget),)* }
             }
@@ -161,12 +206,18 @@ macro_rules! families {
 families! {
     /// A line against a window.
     ClipLine
+    /// Polygons against a window.
+    ClipPolygon
     /// One triangle, row by row.
     Scanline
     /// Triangles, fragment by fragment.
     ZBuffer
     /// One vertex through all the spaces.
     Transform
+    /// One triangle: does the eye see its back?
+    BackFace
+    /// One triangle against the planes of the frustum.
+    ClipTriangle
     /// The whole scene, stage by stage.
     Pipeline
 }
@@ -174,6 +225,13 @@ families! {
 impl LabInput {
     /// The whole scene.
     pub const PIPELINE: Self = Self::Pipeline(Pipeline {});
+
+    /// The names of the labs whose algorithms take these very inputs, its own included.
+    pub fn algorithms(&self) -> Vec<&'static str> {
+        let family = std::mem::discriminant(self);
+        let mine = ALL.iter().filter(|lab| std::mem::discriminant(&lab.first_input()) == family);
+        mine.map(|lab| lab.name).collect()
+    }
 }
 
 /// Starts the run of the scene's lab, at step 0.

@@ -40,6 +40,23 @@ impl Arithmetic {
         }
     }
 
+    /// Whether algorithms other than scan conversion answer exactly in it: fixed point is for that alone.
+    #[must_use]
+    pub const fn is_exact(self) -> bool {
+        matches!(self, Self::Exact | Self::Fixed8)
+    }
+
+    /// Message id of its name.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Exact => "word-arithmetic-exact",
+            Self::F32 => "word-arithmetic-f32",
+            Self::F64 => "word-arithmetic-f64",
+            Self::Fixed8 => "word-arithmetic-fixed-8",
+        }
+    }
+
     /// The arithmetic called `name`, or `None`; the inverse of [`name`](Self::name).
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {

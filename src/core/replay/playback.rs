@@ -2,7 +2,8 @@
 
 use super::Player;
 use crate::{
-    explain::{Explain, Formula, Level, Mark, Marker, Operations, Table, View},
+    compare::Fact,
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, Table, Vantage, View},
     message::Message,
 };
 
@@ -27,6 +28,8 @@ pub trait Playback: Send {
     /// Goes to the next execution of a listing line, from the start again behind the last one;
     /// `false` if the run never executes it.
     fn next_at_line(&mut self, line: usize) -> bool;
+    /// The start, and every step that ends an event of `level` or coarser: where [`Self::next`] stops.
+    fn steps_of(&self, level: Level) -> Vec<usize>;
     /// Pseudocode.
     fn listing(&self) -> &'static [&'static str];
     /// The listing line just executed.
@@ -45,10 +48,16 @@ pub trait Playback: Send {
     fn marks(&self) -> Vec<Mark>;
     /// What part of the plane the drawing shows.
     fn view(&self) -> View;
+    /// From where a drawing in space is seen first.
+    fn vantage(&self) -> Option<Vantage>;
     /// Marks of the timeline with their steps, in order.
     fn markers(&self) -> Vec<(usize, Marker)>;
     /// The names below the marks of the timeline with their steps, in order.
     fn captions(&self) -> Vec<(usize, Message)>;
+    /// The steps that end an event of `level` or coarser, in order.
+    fn ends(&self, level: Level) -> Vec<usize>;
+    /// The result at the cursor as facts.
+    fn facts(&self) -> Vec<Fact>;
     /// What the run costs up to the cursor, and as a whole. Cost: linear in the run.
     fn operations(&self) -> [Operations; 2];
     /// The event that led to the cursor, for logs.
@@ -97,6 +106,12 @@ impl<S: Explain> Playback for Player<S> {
             step = first;
         }
         step.map(|step| self.seek_to(step)).is_some()
+    }
+
+    fn steps_of(&self, level: Level) -> Vec<usize> {
+        let mut out = vec![0];
+        self.for_each(|step, event| out.extend((S::level(event) <= level).then_some(step)));
+        out
     }
 
     fn listing(&self) -> &'static [&'static str] {
@@ -150,6 +165,10 @@ impl<S: Explain> Playback for Player<S> {
         self.state.view()
     }
 
+    fn vantage(&self) -> Option<Vantage> {
+        self.state.vantage()
+    }
+
     fn markers(&self) -> Vec<(usize, Marker)> {
         let mut out = Vec::new();
         self.for_each(|step, event| out.extend(S::marker(event).map(|marker| (step, marker))));
@@ -159,6 +178,18 @@ impl<S: Explain> Playback for Player<S> {
     fn captions(&self) -> Vec<(usize, Message)> {
         let mut out = Vec::new();
         self.for_each(|step, event| out.extend(self.state.caption(event).map(|caption| (step, caption))));
+        out
+    }
+
+    fn ends(&self, level: Level) -> Vec<usize> {
+        let mut out = Vec::new();
+        self.for_each(|step, event| out.extend((S::level(event) <= level).then_some(step)));
+        out
+    }
+
+    fn facts(&self) -> Vec<Fact> {
+        let mut out = Vec::new();
+        self.state.facts(&mut out);
         out
     }
 

@@ -65,6 +65,13 @@ pub enum Problem {
         /// There.
         found: usize,
     },
+    /// A longer list was expected.
+    TooShort {
+        /// Least.
+        least: usize,
+        /// There.
+        found: usize,
+    },
     /// A field that must be there is not.
     Missing,
     /// No such field, or not together with the others.
@@ -148,6 +155,8 @@ pub enum Problem {
     NoFileName,
     /// The window's minimum exceeds its maximum.
     WindowReversed,
+    /// A comparison without a setting in which the sides differ.
+    NoSetting,
     /// Anything else, in the words of a library.
     Other(String),
 }
@@ -215,6 +224,9 @@ impl Problem {
             Self::UnknownField { known } => {
                 Message::new("error-scene-unknown-field").with("known", Value::text(known.join(", ")))
             }
+            Self::TooShort { least, found } => {
+                Message::new("error-scene-too-short").with("least", *least).with("found", *found)
+            }
             Self::UnknownName { name, known } => Message::new("error-scene-unknown-name")
                 .with("name", Value::text(name))
                 .with("known", Value::text(known.join(", "))),
@@ -251,6 +263,7 @@ impl Problem {
             Self::NoneThere => Message::new("error-scene-none-there"),
             Self::NoFileName => Message::new("error-scene-no-file-name"),
             Self::WindowReversed => Message::new("error-scene-window-reversed"),
+            Self::NoSetting => Message::new("error-scene-no-setting"),
             Self::Other(what) => Message::new("error-scene-other").with("what", Value::text(what)),
         }
     }

@@ -10,7 +10,7 @@ use crate::{
     widgets::{down, follow_focus, heading, row, text_in},
 };
 use egui::{Align2, ComboBox, DragValue, Rect, ScrollArea, Ui, pos2, vec2};
-use rasterscope_core::{math::Arithmetic, message::Value};
+use rasterscope_core::{explain::Role, message::Value};
 use rasterscope_figure::numbers;
 
 /// The presets get at most this part of the height, and scroll by themselves.
@@ -129,6 +129,13 @@ pub(crate) fn check(ui: &mut Ui, face: &Face<'_>, label: &'static str, value: &m
     ui.checkbox(value, face.rich(face.say(label), Text::Label));
 }
 
+/// A common mistake that can be switched on, with what it breaks below.
+pub(crate) fn mistake(ui: &mut Ui, face: &Face<'_>, [label, effect]: [&'static str; 2], value: &mut bool) {
+    check(ui, face, label, value);
+    let effect = face.rich(face.say(effect), Text::Label).color(face.look.role(Role::Rejected));
+    ui.indent(label, |ui| ui.label(effect));
+}
+
 /// An index that can be typed or dragged.
 pub(crate) fn index(ui: &mut Ui, face: &Face<'_>, label: &'static str, value: &mut usize) {
     let label = face.say(label);
@@ -197,14 +204,4 @@ pub(crate) fn number(ui: &mut Ui, face: &Face<'_>, width: f32, name: &str, value
         *value = before;
     }
     *value += 0.0; // no negative zero
-}
-
-/// What an arithmetic is called.
-pub(crate) fn arithmetic(face: &Face<'_>, arithmetic: Arithmetic) -> String {
-    face.say(match arithmetic {
-        Arithmetic::Exact => "ui-arithmetic-exact",
-        Arithmetic::F32 => "ui-arithmetic-f32",
-        Arithmetic::F64 => "ui-arithmetic-f64",
-        Arithmetic::Fixed8 => "ui-arithmetic-fixed-8",
-    })
 }

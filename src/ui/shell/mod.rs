@@ -12,6 +12,7 @@ pub(crate) mod keys;
 mod lectures;
 pub(crate) mod menu;
 pub(crate) mod notice;
+mod outside;
 pub(crate) mod palette;
 pub(crate) mod ribbon;
 pub(crate) mod timeline;

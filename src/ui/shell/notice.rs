@@ -78,20 +78,18 @@ impl Notice {
     }
 }
 
-/// What of the scene cannot be drawn as it is, and whether that was said.
+/// What was said of what cannot be drawn as it is.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Beyond {
-    /// The sentence; `None` for nearly every scene.
-    pub(crate) now: Option<Message>,
     told: Option<Message>,
 }
 
 impl Beyond {
     /// Says it once, when nothing else is being said, and takes it back when it is over.
-    pub(crate) fn tell(&mut self, notice: &mut Option<Notice>, words: &Words) {
-        if self.told != self.now && matches!(notice, None | Some(Notice::Beyond(_))) {
-            *notice = self.now.as_ref().map(|message| Notice::Beyond(words.message(message)));
-            self.told = self.now.clone();
+    pub(crate) fn tell(&mut self, now: Option<&Message>, notice: &mut Option<Notice>, words: &Words) {
+        if self.told.as_ref() != now && matches!(notice, None | Some(Notice::Beyond(_))) {
+            *notice = now.map(|message| Notice::Beyond(words.message(message)));
+            self.told = now.cloned();
         }
     }
 }
@@ -147,6 +145,7 @@ fn ask(ui: &mut Ui, face: &Face<'_>, purpose: Purpose, path: &mut String, fresh:
             Purpose::Open => "ui-path-open",
             Purpose::Save => "ui-path-save",
             Purpose::Picture => "ui-path-picture",
+            Purpose::Film => "ui-path-film",
         }),
         Text::Body,
     ));
@@ -164,6 +163,7 @@ fn ask(ui: &mut Ui, face: &Face<'_>, purpose: Purpose, path: &mut String, fresh:
             Purpose::Open => Command::Open(path),
             Purpose::Save => Command::SaveAs(path),
             Purpose::Picture => Command::Picture(path),
+            Purpose::Film => Command::Film(path),
         });
     }
     if ui.button(face.say("ui-choose-file")).clicked() {

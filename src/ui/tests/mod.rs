@@ -1,7 +1,9 @@
 //! The window driven without a window: every lab, keys, files, pictures.
 
 mod editing;
+mod export;
 mod files;
+mod heavy;
 mod keeping;
 mod keys;
 mod labs;
@@ -10,14 +12,14 @@ mod pictures;
 mod reach;
 mod source;
 
-use crate::{App, Platform, Purpose, theme};
+use crate::{App, Platform, Purpose, Reader, theme};
 use egui::{Rect, vec2};
 use egui_kittest::{Harness, kittest::Queryable as _};
 use painter::CpuPainter;
 use std::{collections::BTreeMap, io};
 
 /// Files in memory.
-#[derive(Debug, Default)]
+#[derive(Default)]
 struct Memory {
     files: BTreeMap<String, Vec<u8>>,
     /// The program's own folder, and how often it was written to.
@@ -26,25 +28,36 @@ struct Memory {
     full: bool,
     /// Whether the hints of a first start are wanted.
     hints: bool,
+    /// Whether work waits for [`Memory::work`]; else it is done at once.
+    lazy: bool,
+    waiting: Vec<Box<dyn FnOnce() + Send>>,
+}
+
+impl Memory {
+    /// Does the work that waits.
+    fn work(&mut self) {
+        self.waiting.drain(..).for_each(|work| work());
+    }
 }
 
 impl Platform for Memory {
-    fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
-        self.files
-            .get(path)
-            .cloned()
-            .ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "there is no such file"))
+    fn reader(&mut self) -> Reader {
+        let files = self.files.clone();
+        Box::new(move |path| files.get(path).cloned().ok_or_else(|| io::ErrorKind::NotFound.into()))
     }
 
     fn write(&mut self, path: &str, bytes: &[u8]) -> io::Result<()> {
         if path.starts_with("/read-only/") {
             return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the folder is read-only"));
         }
+        if self.full {
+            return Err(io::ErrorKind::StorageFull.into());
+        }
         self.files.insert(path.to_owned(), bytes.to_owned());
         Ok(())
     }
 
-    fn choose_file(&mut self, _: Purpose) -> bool {
+    fn choose_file(&mut self, _: Purpose, _: &str) -> bool {
         false
     }
 
@@ -63,6 +76,13 @@ impl Platform for Memory {
         self.kept.insert(name.to_owned(), bytes.to_owned());
         self.writes += 1;
         Ok(())
+    }
+
+    fn spawn(&mut self, work: Box<dyn FnOnce() + Send>) {
+        self.waiting.push(work);
+        if !self.lazy {
+            self.work();
+        }
     }
 }
 

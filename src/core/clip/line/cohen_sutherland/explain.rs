@@ -5,7 +5,8 @@ use super::{
     formulas::{bits, joined},
 };
 use crate::{
-    clip::line::{Border, End, Outcode, Point, Segment, Window, view},
+    clip::line::{Border, End, Outcode, Point, Segment, Window, facts, view},
+    compare::Fact,
     explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::Arithmetic,
     message::{Message, Value},
@@ -294,6 +295,10 @@ impl Explain for Snapshot {
 
     fn view(&self) -> View {
         view(self.original, &self.window)
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        facts(self.accepted, self.ends, out);
     }
 }
 

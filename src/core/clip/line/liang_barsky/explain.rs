@@ -5,7 +5,8 @@ use super::{
     forms::{Exact, Form, crossing},
 };
 use crate::{
-    clip::line::{Border, End, Segment, Window, view},
+    clip::line::{Border, End, Segment, Window, facts, view},
+    compare::Fact,
     explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::{Arithmetic, Sign, Tally},
     message::{Message, Value},
@@ -344,6 +345,10 @@ impl Explain for Snapshot {
 
     fn view(&self) -> View {
         view(self.original, &self.window)
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        facts(self.accepted, self.ends, out);
     }
 }
 

@@ -57,7 +57,12 @@ fn role_of(mark: &mut Mark) -> Option<(&mut Role, u8)> {
         Mark::Pixel { role, .. } => Some((role, 3)),
         Mark::Guide { role, .. } => Some((role, 4)),
         Mark::Curve { role, .. } => Some((role, 5)),
-        Mark::Span { .. } | Mark::Text { .. } | Mark::Key { .. } | Mark::Image { .. } => None,
+        Mark::Run { .. }
+        | Mark::Span { .. }
+        | Mark::Text { .. }
+        | Mark::Key { .. }
+        | Mark::Image { .. }
+        | Mark::Space(_) => None,
     }
 }
 

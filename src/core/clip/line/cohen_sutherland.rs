@@ -137,7 +137,12 @@ fn run<F: Form, T: Tracer<Event>>(mut ends: F, t: &mut T) -> Option<Segment> {
             }
             t.emit(|| Event::Choose { border, end });
             codes = ends.cut(border, codes);
-            t.emit(|| Event::Cut { border, end, code: codes[end as usize], to: ends.segment()[end as usize] });
+            t.emit(|| Event::Cut {
+                border,
+                end,
+                code: codes[end as usize],
+                to: ends.segment()[end as usize],
+            });
             if is_rejected(codes, t) {
                 return None;
             }

@@ -1,6 +1,9 @@
 //! Where the line through two points crosses the four borders, all at once: regions and places, exactly.
 
-use super::{Border, Outcode, Point, Segment, Window, intersection::{ERROR, intersection};
+use super::{
+    Border, Outcode, Point, Segment, Window,
+    intersection::{ERROR, intersection},
+};
 use crate::math::{Sign, Tally, orient2d, predicates::ORIENT2D_FILTER};
 use std::array::from_fn;
 
@@ -45,9 +48,8 @@ impl<'a> Crossings<'a> {
         let [top, bottom, right, left] = products;
         let (minuends, subtrahends) = ([top, top, bottom, bottom], [right, left, right, left]);
         let sides: [_; 4] = from_fn(|i| minuends[i] - subtrahends[i]);
-        let margins: [_; 4] = from_fn(|i: usize| {
-            ORIENT2D_FILTER * (minuends[i].abs() + subtrahends[i].abs()) - sides[i].abs()
-        });
+        let margins: [_; 4] =
+            from_fn(|i: usize| ORIENT2D_FILTER * (minuends[i].abs() + subtrahends[i].abs()) - sides[i].abs());
         let codes = if margins.iter().fold(1, |all, margin| all & is_negative(*margin)) == 1 {
             let signs = [sides[0], sides[1], sides[2], sides[3], dx, dy];
             CODES[signs.iter().rev().fold(0, |index, sign| index << 1 | is_negative(*sign) as usize)]
@@ -58,7 +60,8 @@ impl<'a> Crossings<'a> {
         };
 
         let greater = |a: f64, b: f64| if a > b { a } else { b };
-        let [ex, ey] = [[x1, x2], [y1, y2]].map(|[b1, b2]| ERROR * greater(greater(b1.abs(), b2.abs()), TINY));
+        let [ex, ey] =
+            [[x1, x2], [y1, y2]].map(|[b1, b2]| ERROR * greater(greater(b1.abs(), b2.abs()), TINY));
         let values: [_; 4] = from_fn(|i| [x1, x1, y1, y1][i] + products[i] / [dy, dy, dx, dx][i]);
         let low: [_; 4] = from_fn(|i| (values[i] - [ex, ex, ey, ey][i]) as f32);
         let high: [_; 4] = from_fn(|i| (values[i] + [ex, ex, ey, ey][i]) as f32);

@@ -162,6 +162,7 @@ fn many_pixels_are_drawn_in_runs() {
         }
     }
     let image = player.state().result();
-    let owners = (0..300).flat_map(|y| (0..300).map(move |x| image.owner([x, y]).map(|owner| owner as usize)));
+    let owners =
+        (0..300).flat_map(|y| (0..300).map(move |x| image.owner([x, y]).map(|owner| owner as usize)));
     assert!(owners.eq(shown), "the runs are the image");
 }

@@ -41,6 +41,8 @@ pub(crate) struct Evaluation {
 struct Pending {
     scene: Scene,
     skips: Skips,
+    /// Whether the image is computed, and not only the run.
+    image: bool,
     /// `None` if another document was opened meanwhile.
     wanted: Option<()>,
     task: Task<Evaluated>,
@@ -100,7 +102,7 @@ impl App {
         let behind = self.behind();
         let (scene, skips) = (self.document.scene.clone(), self.view.skips);
         let lent = if behind.image { self.overview.lend() } else { None };
-        let given = scene.clone();
+        let (given, image) = (scene.clone(), behind.image);
         let task = Task::start(platform, now, move |progress: &Progress| {
             let all = usize::from(lent.is_some()) + usize::from(behind.run);
             progress.tell(0, all);
@@ -108,11 +110,11 @@ impl App {
                 pipeline.update(&given, &skips);
                 pipeline
             });
-            progress.tell(all - usize::from(behind.run), all);
+            progress.tell(usize::from(pipeline.is_some()), all);
             let run = behind.run.then(|| core_labs::play(&given, Budget::default()));
             Evaluated { pipeline, run }
         });
-        self.evaluation.pending = Some(Pending { scene, skips, wanted: Some(()), task });
+        self.evaluation.pending = Some(Pending { scene, skips, image, wanted: Some(()), task });
     }
 
     /// Takes what was computed beside the window.
@@ -162,11 +164,13 @@ impl App {
         if opening.is_some() {
             return opening;
         }
-        let Some([done, all]) = self.evaluation.pending.as_ref().and_then(|each| each.task.progress(now))
+        let pending = self.evaluation.pending.as_ref();
+        let Some((pending, [done, all])) = pending.and_then(|each| Some((each, each.task.progress(now)?)))
         else {
             return self.filming(now);
         };
-        let text = self.words.word(if done + 1 < all { "ui-busy-image" } else { "ui-busy-run" });
+        let drawing = pending.image && done == 0;
+        let text = self.words.word(if drawing { "ui-busy-image" } else { "ui-busy-run" });
         Some(Busy { text, part: (done as f32 + 0.5) / all.max(1) as f32, stoppable: false })
     }
 }

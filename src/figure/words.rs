@@ -86,6 +86,8 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "pipeline"
     "transform"
     "back-face"
+    "frustum-culling"
+    "bvh"
     "cohen-sutherland"
     "liang-barsky"
     "clip-triangle"

@@ -6,14 +6,22 @@
 //! a line in [`ALL`], and for a new family a line in [`LabInput`].
 
 mod back_face;
+mod bvh;
 mod clip_line;
+mod frustum_culling;
 mod pipeline;
 mod scanline;
 mod transform;
 mod z_buffer;
 
 pub use self::{
-    back_face::BackFace, clip_line::ClipLine, pipeline::Pipeline, scanline::Scanline, transform::Transform,
+    back_face::BackFace,
+    bvh::{Bvh, Over},
+    clip_line::ClipLine,
+    frustum_culling::FrustumCulling,
+    pipeline::Pipeline,
+    scanline::Scanline,
+    transform::Transform,
     z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
@@ -75,6 +83,8 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<Pipeline>("pipeline", Stage::Image),
     LabInfo::new::<Transform>("transform", Stage::ClipSpace),
     LabInfo::new::<BackFace>("back-face", Stage::Cull),
+    LabInfo::new::<FrustumCulling>("frustum-culling", Stage::Cull),
+    LabInfo::new::<Bvh>("bvh", Stage::Cull),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
@@ -200,6 +210,10 @@ families! {
     Transform
     /// One triangle: does the eye see its back?
     BackFace
+    /// Objects against the frustum.
+    FrustumCulling
+    /// A tree of boxes against the frustum.
+    Bvh
     /// The whole scene, stage by stage.
     Pipeline
 }

@@ -36,6 +36,7 @@ ui-palette-level = Size of a step: { $name }
 ui-palette-lab = Open: { $name }
 ui-palette-preset = Preset: { $name }
 ui-unit-line = line
+ui-unit-objects = objects
 
 ui-stage-off = off
 ui-stage-earlier = { $count } { $count ->

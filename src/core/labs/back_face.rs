@@ -11,8 +11,8 @@ use crate::{
     cull::back_face::{self, EdgeOn, Input, Settings},
     math::Arithmetic,
     message::Message,
-    replay::{Budget, Playback},
     raster::YAxis,
+    replay::{Budget, Playback},
     scene::{Checked, Scene},
 };
 use serde::{Deserialize, Serialize};

@@ -42,7 +42,12 @@ impl Lab for FrustumCulling {
         let unit = "ui-unit-objects";
         let culled = count(markers, Role::Rejected);
         let came = document.scene.draws.len();
-        Some(Outcome { came: Some(came), went: came - culled.min(came), unit: Some(unit), given: (came, unit) })
+        Some(Outcome {
+            came: Some(came),
+            went: came - culled.min(came),
+            unit: Some(unit),
+            given: (came, unit),
+        })
     }
 
     fn drag(&self, _: &mut Document, _: usize, _: [f32; 2]) {}

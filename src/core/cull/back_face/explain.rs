@@ -300,13 +300,15 @@ impl Explain for Snapshot {
     fn facts(&self, out: &mut Vec<Fact>) {
         for (test, known) in Test::ALL.into_iter().zip(&self.known) {
             if let Some(answer) = known.answer {
-                let values = vec![("s", known.value.into()), ("column-back-face-answer", answer_word(answer))];
+                let values =
+                    vec![("s", known.value.into()), ("column-back-face-answer", answer_word(answer))];
                 out.push(Fact::named(row_name(test), values));
             }
         }
-        out.extend(self.fate.map(|(_, culled)| {
-            Fact::answer(if culled { "back-face-culled" } else { "back-face-kept" })
-        }));
+        out.extend(
+            self.fate
+                .map(|(_, culled)| Fact::answer(if culled { "back-face-culled" } else { "back-face-kept" })),
+        );
     }
 }
 

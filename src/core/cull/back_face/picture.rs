@@ -25,9 +25,8 @@ fn normal([a, b, c]: [[f32; 3]; 3], length: f32) -> [f32; 3] {
 
 /// The longest side of a triangle.
 fn size(triangle: [[f32; 3]; 3]) -> f32 {
-    let side = |i: usize, j: usize| {
-        (0..3).map(|k| (triangle[i][k] - triangle[j][k]).powi(2)).sum::<f32>().sqrt()
-    };
+    let side =
+        |i: usize, j: usize| (0..3).map(|k| (triangle[i][k] - triangle[j][k]).powi(2)).sum::<f32>().sqrt();
     side(0, 1).max(side(1, 2)).max(side(2, 0))
 }
 
@@ -82,7 +81,8 @@ pub(super) fn marks(of: &Snapshot, out: &mut Vec<Mark>) {
 
     // What the test of this step looks at: a normal and the line of sight, or the image alone.
     let looks = !matches!(of.now, Some(Test::Ndc | Test::Screen));
-    let from = if of.now == Some(Test::Determinant) || of.now.is_none() { middle(triangle) } else { triangle[0] };
+    let from =
+        if of.now == Some(Test::Determinant) || of.now.is_none() { middle(triangle) } else { triangle[0] };
     let role = if looks { Role::Exact } else { Role::Skipped };
     push(Solid::Segment { ends: [from, eye], role: Role::Candidate, label: None });
     let tip = plus(from, normal(triangle, size(triangle) * 0.4), 1.0);

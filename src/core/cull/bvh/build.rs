@@ -29,7 +29,7 @@ impl Split {
 }
 
 /// Most boxes in a leaf.
-pub const MOST_IN_LEAF: usize = 2;
+pub(super) const MOST_IN_LEAF: usize = 2;
 
 /// A node of the tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -133,9 +133,10 @@ impl Tree {
     /// The axis along which the middles lie farthest apart, and half of the boxes.
     fn at_median(&self, first: u32, len: u32) -> (usize, u32) {
         let extent = |axis: usize| {
-            let middles = self.order_of([first, len]).iter().map(|&item| middle(self.boxes[item as usize], axis));
-            let (low, high) = middles
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), m| (low.min(m), high.max(m)));
+            let middles =
+                self.order_of([first, len]).iter().map(|&item| middle(self.boxes[item as usize], axis));
+            let (low, high) =
+                middles.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), m| (low.min(m), high.max(m)));
             high - low
         };
         // Of equal extents the first axis.

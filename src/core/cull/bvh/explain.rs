@@ -2,8 +2,8 @@
 
 use super::{Aabb, Counts, Event, Found, Split, Tree, picture, tests_without_tree};
 use crate::{
-    compare::Fact,
     clip::polygon::Plane,
+    compare::Fact,
     cull::{
         object_frustum::reach_formulas,
         planes::{Frustum, PlaneMask, Side, Volume},
@@ -267,9 +267,7 @@ impl Explain for Snapshot {
                 .with("right", self.below(first + 1)),
             Event::Leaf { node } => about("bvh-leaf", node),
             Event::Visit { node: 0, .. } => about("bvh-visit-root", 0),
-            Event::Visit { node, mask } => {
-                about("bvh-visit", node).with("planes", mask.planes().count())
-            }
+            Event::Visit { node, mask } => about("bvh-visit", node).with("planes", mask.planes().count()),
             Event::Plane { node, plane, side } => about(
                 match side {
                     Side::Outside => "bvh-plane-outside",

@@ -79,9 +79,11 @@ fn nodes(of: &Snapshot, out: &mut Vec<Mark>) {
     let Some(now) = of.now else { return };
     let traversing = of.fates.first().is_some_and(|root| *root != Fate::Unseen);
     let children = of.tree.nodes()[now as usize].children.into_iter().flatten();
-    out.extend(children.filter(|child| !traversing && (*child as usize) < of.built).map(|child| {
-        body(child, Role::Candidate)
-    }));
+    out.extend(
+        children
+            .filter(|child| !traversing && (*child as usize) < of.built)
+            .map(|child| body(child, Role::Candidate)),
+    );
     if of.item.is_none() {
         out.push(body(now, Role::Active));
     }

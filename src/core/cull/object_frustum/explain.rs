@@ -282,7 +282,11 @@ impl Explain for Snapshot {
         });
         out.push(Table {
             title: "frustum-culling-objects",
-            columns: vec!["column-frustum-culling-triangles", "column-frustum-culling-is", "column-frustum-culling-lost"],
+            columns: vec![
+                "column-frustum-culling-triangles",
+                "column-frustum-culling-is",
+                "column-frustum-culling-lost",
+            ],
             rows: rows.collect(),
         });
         out.extend(self.planes());
@@ -309,7 +313,8 @@ impl Explain for Snapshot {
                 Verdict::Crosses(_) => Value::Word("frustum-culling-crosses"),
             };
             let lost = (0..object.clip.len()).filter(|&triangle| self.lost(i, triangle)).count();
-            let values = vec![("column-frustum-culling-is", word), ("column-frustum-culling-lost", lost.into())];
+            let values =
+                vec![("column-frustum-culling-is", word), ("column-frustum-culling-lost", lost.into())];
             out.push(Fact::named(object.name.clone(), values));
         }
     }

@@ -1,15 +1,12 @@
 //! The objects and their bodies in the frustum, from outside.
 
 use super::{
-    Event, Object, Snapshot,
     super::{planes::Volume, sphere::Sphere},
+    Event, Object, Snapshot,
 };
 use crate::{
     explain::{Label, Mark, Role, Solid, Vantage, box_corners},
-    transform::{
-        apply,
-        frustum::FRUSTUM_FACES,
-    },
+    transform::{apply, frustum::FRUSTUM_FACES},
 };
 
 /// Of objects with more triangles only the body is drawn.

@@ -175,7 +175,7 @@ impl App {
             if chip.stage == stage {
                 chip.count = Some(outcome.count());
                 chip.unit = outcome.unit.map_or_else(String::new, |unit| self.words.word(unit));
-                chip.skipped = None;
+                chip.skipped.clear();
             } else if chip.stage == core_labs::Stage::Scene && self.document.scene.draws.is_empty() {
                 chip.count = Some(outcome.given.0.to_string());
                 chip.unit = self.words.word(outcome.given.1);

@@ -50,6 +50,7 @@ ui-palette-lab = Open: { $name }
 ui-palette-preset = Preset: { $name }
 ui-unit-line = line
 ui-unit-polygon = polygon
+ui-unit-objects = objects
 
 ui-stage-off = off
 ui-stage-earlier = { $count } { $count ->

@@ -31,8 +31,8 @@ impl Lab for BackFace {
         heading(ui, face, &face.say("ui-conventions"));
         let all = EdgeOn::ALL.map(|rule| (rule, face.say(rule.word())));
         choices::choose(ui, face, "back-face-rule", &mut input.edge_on, &all);
-        let all = [Arithmetic::Exact, Arithmetic::F64, Arithmetic::F32]
-            .map(|each| (each, choices::arithmetic(face, each)));
+        let all =
+            [Arithmetic::Exact, Arithmetic::F64, Arithmetic::F32].map(|each| (each, face.say(each.word())));
         choices::choose(ui, face, "ui-arithmetic", &mut input.arithmetic, &all);
         super::pipeline::facing(ui, face, document);
         let names: Vec<(usize, String)> =

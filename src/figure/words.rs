@@ -88,6 +88,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "back-face"
     "cohen-sutherland"
     "liang-barsky"
+    "clip-plane"
     "clip-triangle"
     "aabb"
     "scanline"

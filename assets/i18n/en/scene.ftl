@@ -282,3 +282,24 @@ preset-clip-camera-space = The same cut with points and normals: distances are (
 
 preset-clip-many-planes-name = Five planes cut
 preset-clip-many-planes = A large triangle reaches over all sides but one. Eight corners are left, and six triangles.
+
+preset-plane-two-in-name = Two in, one out
+preset-plane-two-in = v1 is outside. The quadrangle that is left needs two triangles.
+
+preset-plane-one-in-name = One in, two out
+preset-plane-one-in = The same triangle and plane, but the normal points the other way: now one triangle is left.
+
+preset-plane-three-in-name = All in
+preset-plane-three-in = All three distances are positive: the triangle stays bit for bit, and nothing is divided.
+
+preset-plane-none-in-name = None in
+preset-plane-none-in = All three distances are negative: nothing is left, and nothing is divided.
+
+preset-plane-vertex-on-it-name = A vertex on the plane
+preset-plane-vertex-on-it = v2 lies on the plane, which counts as inside. One crossing is v2 again, and one of both triangles has no area.
+
+preset-plane-slanted-name = Slanted, in f32
+preset-plane-slanted = The plane is slanted and n is not of unit length: distances are multiples of that length, and t does not care. In f32 the new vertices miss the plane by a little.
+
+preset-plane-near-name = The near plane
+preset-plane-near = In camera space the near plane at distance 1 has p = (0, 0, −1) and n = (0, 0, −1). v0 is too near to the eye.

@@ -214,3 +214,4 @@ ui-mistake-no-near-plane = No near plane
 ui-mistake-no-attributes = New vertices without u
 ui-mistake-walk-order = Intersections in walk order
 ui-vertices-camera = Vertices (camera space)
+ui-vertices-and-plane = Vertices, plane

@@ -7,6 +7,7 @@
 
 mod back_face;
 mod clip_line;
+mod clip_plane;
 mod clip_triangle;
 mod pipeline;
 mod scanline;
@@ -14,8 +15,8 @@ mod transform;
 mod z_buffer;
 
 pub use self::{
-    back_face::BackFace, clip_line::ClipLine, clip_triangle::ClipTriangle, pipeline::Pipeline, scanline::Scanline, transform::Transform,
-    z_buffer::ZBuffer,
+    back_face::BackFace, clip_line::ClipLine, clip_plane::ClipPlane, clip_triangle::ClipTriangle,
+    pipeline::Pipeline, scanline::Scanline, transform::Transform, z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
 
@@ -78,6 +79,7 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<BackFace>("back-face", Stage::Cull),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
+    LabInfo::new::<ClipPlane>("clip-plane", Stage::Clip),
     LabInfo::new::<ClipTriangle>("clip-triangle", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
@@ -202,6 +204,8 @@ families! {
     Transform
     /// One triangle: does the eye see its back?
     BackFace
+    /// One triangle against one plane.
+    ClipPlane
     /// One triangle against the planes of the frustum.
     ClipTriangle
     /// The whole scene, stage by stage.

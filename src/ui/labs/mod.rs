@@ -4,6 +4,7 @@
 //! inspector and painting are the shell's, the same for all.
 
 mod clip_line;
+mod clip_plane;
 mod clip_triangle;
 mod cohen_sutherland;
 mod liang_barsky;
@@ -125,6 +126,7 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(transform::Transform),
         Box::new(cohen_sutherland::LAB),
         Box::new(liang_barsky::LAB),
+        Box::new(clip_plane::ClipPlane),
         Box::new(clip_triangle::ClipTriangle),
         Box::new(scanline::Scanline),
         Box::new(z_buffer::ZBuffer),

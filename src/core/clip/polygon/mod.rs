@@ -1,5 +1,6 @@
 //! Polygons against a convex region, border by border.
 
+pub mod clip_plane;
 pub mod clip_space;
 pub mod clip_triangle;
 pub mod outline;

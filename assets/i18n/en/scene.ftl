@@ -266,7 +266,7 @@ preset-clip-no-near-name = Mistake: no near plane
 preset-clip-no-near = The part between the near plane and the eye stays. After the divide its depths are outside 0 … 1.
 
 preset-clip-frustum-corner-name = An edge of the frustum
-preset-clip-frustum-corner = All vertices are outside, and the edge between top and right comes through the triangle. That corner is made by the triangle and two planes.
+preset-clip-frustum-corner = Two vertices are outside, each beyond another plane, and the edge between right and top pierces the triangle. That corner is made by the triangle and two planes.
 
 preset-clip-guard-band-name = Guard band keeps it
 preset-clip-guard-band = The right plane stands four times as far out: the triangle reaches over the side of the image, and nothing is cut. The rasterizer does the rest.

@@ -5,6 +5,7 @@ use crate::{
     document::{Document, ViewState},
     face::Face,
     shell::choices,
+    theme::Text,
     widgets::heading,
 };
 use egui::Ui;
@@ -44,11 +45,11 @@ impl Lab for ClipTriangle {
         choices::choose(ui, face, "ui-arithmetic", &mut input.arithmetic, &all);
         choices::snapping(ui, face, view);
         heading(ui, face, &face.say("ui-mistakes"));
-        for (mistake, name) in [
-            (Mistake::DivideFirst, "ui-mistake-divide-first"),
-            (Mistake::NoNearPlane, "ui-mistake-no-near-plane"),
-            (Mistake::NoAttributes, "ui-mistake-no-attributes"),
-            (Mistake::WalkOrder, "ui-mistake-walk-order"),
+        for (mistake, name, effect) in [
+            (Mistake::DivideFirst, "ui-mistake-divide-first", "ui-effect-divide-first"),
+            (Mistake::NoNearPlane, "ui-mistake-no-near-plane", "ui-effect-no-near-plane"),
+            (Mistake::NoAttributes, "ui-mistake-no-attributes", "ui-effect-no-attributes"),
+            (Mistake::WalkOrder, "ui-mistake-walk-order", "ui-effect-walk-order"),
         ] {
             let mut on = input.mistake == mistake;
             choices::check(ui, face, name, &mut on);
@@ -56,6 +57,10 @@ impl Lab for ClipTriangle {
                 (true, false) => input.mistake = mistake,
                 (false, true) => input.mistake = Mistake::None,
                 _ => {}
+            }
+            if on {
+                let effect = face.rich(face.say(effect), Text::Small);
+                ui.label(effect.color(face.look.role(Role::Rejected)));
             }
         }
         heading(ui, face, &face.say("ui-vertices-camera"));

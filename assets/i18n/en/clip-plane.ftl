@@ -1,6 +1,6 @@
 # A triangle against one plane. What stands between two ** is bold.
 
-clip-plane = Triangle against a plane
+clip-plane = Triangle and plane
 clip-plane-about = Three signed distances decide. One vertex inside leaves one triangle, two leave two.
 clip-plane-opening = A point p and a normal n make the plane; n points inwards. d = (v − p) · n is negative outside.
 clip-plane-inside = **{ $vertex }** is **inside**: d = { $d }.
@@ -20,6 +20,6 @@ clip-plane-marker-x0 = x0
 clip-plane-marker-x1 = x1
 clip-plane-marker-triangle = triangle
 clip-plane-vertices = Vertices and distances
-clip-plane-new = New vertices: x = t a + (1 − t) b
+clip-plane-new = New vertices
 clip-plane-triangles = Triangles that are left
 column-clip-plane-corners = corners

@@ -30,6 +30,7 @@ error-scene-negative = { $path }: the number must be 0 or more.
 error-scene-must-be = { $path }: the number must be { $value }.
 error-scene-range = { $path }: the number must be from { $min } to { $max }.
 error-scene-not-positive = { $path }: the number must be more than 0.
+error-scene-no-power-of-two = { $path }: the number must be a power of two.
 error-scene-field-of-view = { $path }: the angle must be more than 0 and less than 180 degrees.
 error-scene-far-before-near = { $path }: the far plane must lie beyond the near plane.
 error-scene-eye-is-target = { $path }: the camera looks at its own place. Move the target or the eye.
@@ -269,7 +270,7 @@ preset-two-sides-rounding = Exactly, the line misses the corner by less than a m
 preset-two-sides-depth-range-name = Split: depth ranges
 preset-two-sides-depth-range = One vertex with depths 0 … 1 and −1 … 1. Clip space and NDC differ in z alone; on the screen both have the same depth.
 
-preset-clip-behind-and-right-name = Behind the eye and to the right
+preset-clip-behind-and-right-name = Behind, and to the right
 preset-clip-behind-and-right = v1 lies behind the eye, v2 to the right. Two planes cut: near is not the first, yet the result is right.
 
 preset-clip-one-in-name = One in, two out
@@ -306,7 +307,7 @@ preset-clip-camera-space-name = In camera space
 preset-clip-camera-space = The same cut with points and normals: distances are (v − p) · n, and there is no fourth number.
 
 preset-clip-many-planes-name = Five planes cut
-preset-clip-many-planes = A large triangle reaches over all sides but one. Eight corners are left, and six triangles.
+preset-clip-many-planes = A large triangle reaches over all sides and the far plane. Seven corners are left, and five triangles.
 
 preset-plane-two-in-name = Two in, one out
 preset-plane-two-in = v1 is outside. The quadrangle that is left needs two triangles.

@@ -25,7 +25,7 @@ pub use self::{
     clip_line::ClipLine,
     clip_plane::ClipPlane,
     clip_polygon::ClipPolygon,
-    clip_triangle::ClipTriangle,
+    clip_triangle::{ClipTriangle, Planes},
     frustum_culling::FrustumCulling,
     pipeline::Pipeline,
     scanline::Scanline,

@@ -10,12 +10,9 @@ use crate::{
 };
 use egui::Ui;
 use rasterscope_core::{
-    clip::polygon::{
-        PlaneSet,
-        clip_triangle::{Mistake, Pieces, Space},
-    },
+    clip::polygon::clip_triangle::{Mistake, Pieces, Space},
     explain::{Marker, Role},
-    labs::{self, LabInput},
+    labs::{self, LabInput, Planes},
     math::Arithmetic,
 };
 
@@ -34,7 +31,7 @@ impl Lab for ClipTriangle {
         let spaces = [(Space::Clip, face.say("ui-space-clip")), (Space::Camera, face.say("ui-space-camera"))];
         choices::choose(ui, face, "ui-space", &mut input.space, &spaces);
         depth_range(ui, face, document);
-        planes(ui, face, &mut input.planes);
+        planes(ui, face, &mut input);
         let pieces = [
             (Pieces::Polygon, face.say("ui-pieces-polygon")),
             (Pieces::Triangles, face.say("ui-pieces-triangles")),
@@ -116,19 +113,15 @@ impl Lab for ClipTriangle {
 }
 
 /// Which planes clip; a guard band has a factor.
-fn planes(ui: &mut Ui, face: &Face<'_>, planes: &mut PlaneSet) {
-    let kept = match *planes {
-        PlaneSet::Guard(power) => PlaneSet::Guard(power),
-        PlaneSet::All | PlaneSet::Near => PlaneSet::Guard(2),
-    };
+fn planes(ui: &mut Ui, face: &Face<'_>, input: &mut labs::ClipTriangle) {
     let all = [
-        (PlaneSet::All, face.say("ui-planes-all")),
-        (PlaneSet::Near, face.say("ui-planes-near")),
-        (kept, face.say("ui-planes-guard")),
+        (Planes::All, face.say("ui-planes-all")),
+        (Planes::Near, face.say("ui-planes-near")),
+        (Planes::Guard, face.say("ui-planes-guard")),
     ];
-    choices::choose(ui, face, "ui-planes", planes, &all);
-    if let PlaneSet::Guard(power) = planes {
-        let factors = [1, 2, 3, 4, 8, 16].map(|power| (power, PlaneSet::Guard(power).guard().to_string()));
-        choices::choose(ui, face, "ui-guard", power, &factors);
+    choices::choose(ui, face, "ui-planes", &mut input.planes, &all);
+    if input.planes == Planes::Guard {
+        let factors = [2, 4, 8, 16, 256, 65_536].map(|factor: u32| (factor, factor.to_string()));
+        choices::choose(ui, face, "ui-guard", &mut input.guard, &factors);
     }
 }

@@ -12,7 +12,7 @@ use crate::{
     math::{Arithmetic, Real},
     transform::DepthRange,
 };
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// The algorithms that clip a polygon against a rectangular window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -77,7 +77,7 @@ impl Plane {
 }
 
 /// Which planes clip.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PlaneSet {
     /// All six.

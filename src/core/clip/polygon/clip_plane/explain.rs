@@ -121,7 +121,7 @@ impl Explain for Snapshot {
         "for each vertex: d ← (v − p) · n",
         "three d ≥ 0: keep the triangle; stop",
         "no d ≥ 0: reject it; stop",
-        "find the vertex that is alone on its side",
+        "find the vertex alone on its side",
         "each edge there: t ← db / (db − da)",
         "  x ← t a + (1 − t) b, a the end inside",
         "one inside: one triangle",

@@ -202,10 +202,8 @@ fn any_input(random: &mut Random, arithmetic: Arithmetic) -> Input {
     let scale = [0; 3].map(|_| random.pick(&[1.0, -1.0, 2.0, 0.3, 0.0]));
     let turn = [0; 3].map(|_| random.pick(&[0.0, 90.0, 33.0]));
     let model = matrices::model([0; 3].map(|_| random.grid(-1, 1)), turn, scale);
-    let projection = random.pick(&[
-        Projection::Perspective { fovy_degrees: 60.0 },
-        Projection::Orthographic { height: 4.0 },
-    ]);
+    let projection = random
+        .pick(&[Projection::Perspective { fovy_degrees: 60.0 }, Projection::Orthographic { height: 4.0 }]);
     let camera = Camera { eye: [random.grid(-1, 1), 0.5, 5.0], projection, ..Camera::default() };
     let viewport = Viewport {
         size: [36, 24],

@@ -12,7 +12,7 @@ mod pair;
 mod setting;
 
 pub use alignment::Alignment;
-pub use difference::{Changed, Difference, difference, ulps};
-pub use fact::{Fact, Subject};
+pub use difference::{Changed, Difference, Part, difference, equal, sorted, ulps};
+pub use fact::{Fact, Subject, totals};
 pub use pair::{Pair, Side};
 pub use setting::{Setting, settings, side_b};

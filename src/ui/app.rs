@@ -1,7 +1,7 @@
 //! The window's contents as one value: document, view, run, and one frame of it.
 
 use crate::{
-    document::{Document, ViewState},
+    document::{Document, Tab, ViewState},
     face::Command,
     film::Film,
     keeping::Kept,
@@ -14,8 +14,9 @@ use crate::{
     shell::{canvas::Canvas, inspector::Digest, notice::Notice},
     theme::{self, Look},
 };
-use egui::{Context, Ui};
+use egui::{Context, Id, Ui};
 use rasterscope_core::{
+    compare::{self, Side},
     history::History,
     labs::{self as core_labs, LabInput},
     message::Message,
@@ -32,11 +33,12 @@ pub struct App {
     pub(crate) history: History<Document>,
     pub(crate) view: ViewState,
     pub(crate) run: Run,
-    /// The scene that the run is of, and why there is no run.
-    ran: Option<(Scene, Option<Message>)>,
+    ran: Option<Ran>,
     pub(crate) digest: Option<Digest>,
     pub(crate) overview: Overview,
     pub(crate) canvas: Canvas,
+    /// The canvas of side B.
+    pub(crate) beside: Canvas,
     pub(crate) textures: Textures,
     pub(crate) labs: Vec<Box<dyn Lab>>,
     pub(crate) presets: Vec<PresetInfo>,
@@ -60,6 +62,28 @@ pub struct App {
     pub(crate) look: Rc<Look>,
 }
 
+/// What the run is of.
+#[derive(Debug)]
+struct Ran {
+    scene: Scene,
+    /// Why there is no run.
+    problem: Option<Message>,
+    /// Why there is none of side B.
+    problem_b: Option<Message>,
+}
+
+/// Whether two scenes are the same on side A.
+fn same_but_compared(a: &Scene, b: &Scene) -> bool {
+    let alone = |scene: &Scene| {
+        let mut scene = scene.clone();
+        if let Some(lab) = &mut scene.lab {
+            lab.compare = None;
+        }
+        scene
+    };
+    a.compared() != b.compared() && alone(a) == alone(b)
+}
+
 impl App {
     /// The window with the default scene.
     pub fn new(ctx: &Context) -> Self {
@@ -80,6 +104,7 @@ impl App {
             digest: None,
             overview: Overview::default(),
             canvas: Canvas::default(),
+            beside: Canvas::default(),
             textures: Textures::default(),
             labs: labs::registry(),
             presets: presets::all(&names, &words),
@@ -117,7 +142,7 @@ impl App {
             Purpose::Picture => Command::Picture(path),
             Purpose::Film => Command::Film(path),
         }));
-        commands.extend(crate::shell::keys::pressed(&ctx, self.canvas.handles()));
+        commands.extend(crate::shell::keys::pressed(&ctx, &self.handles()));
         self.execute(&ctx, commands, platform);
         self.end_film(&ctx, platform);
         self.play(&ctx);
@@ -141,24 +166,62 @@ impl App {
         self.autosave(&ctx, platform);
     }
 
-    /// Starts the run anew if what it depends on has changed.
+    /// Starts the run anew if what it depends on has changed; side B runs only where there is one.
     pub(crate) fn update(&mut self) {
         let scene = &self.document.scene;
         self.overview.update(scene, self.view.skips);
-        if self.ran.as_ref().is_some_and(|(old, _)| old == scene) {
+        let old = self.ran.take();
+        if old.as_ref().is_some_and(|ran| ran.scene == *scene) {
+            self.ran = old;
             return;
         }
-        let problem = match core_labs::play(scene, Budget::default()) {
-            Ok(playback) => {
-                self.run.set(playback);
-                None
+        // What side A is compared with changes nothing of it.
+        let same = old.as_ref().is_some_and(|ran| same_but_compared(&ran.scene, scene));
+        let kept = same.then(|| self.run.take_a()).flatten();
+        let mut fresh = usize::from(kept.is_none());
+        let a = kept.map_or_else(|| core_labs::play(scene, Budget::default()), Ok);
+        let b = compare::side_b(scene).filter(|_| a.is_ok()).map(|other| {
+            fresh += 1;
+            core_labs::play(&other, Budget::default())
+        });
+        let [mut problem, mut problem_b] = [None, None];
+        match a {
+            Ok(a) => {
+                let b = b.transpose().unwrap_or_else(|problem| {
+                    problem_b = Some(problem);
+                    None
+                });
+                self.run.set(a, b, fresh);
             }
-            Err(problem) => {
+            Err(why) => {
                 self.run.clear();
-                Some(problem)
+                problem = Some(why);
             }
-        };
-        self.ran = Some((scene.clone(), problem));
+        }
+        self.ran = Some(Ran { scene: scene.clone(), problem, problem_b });
+        self.update_split(old.is_some_and(|ran| ran.scene.compared().is_some()));
+    }
+
+    /// Turning the split view on or off fits the drawing anew and chooses a tab that is there.
+    fn update_split(&mut self, was: bool) {
+        let split = self.split();
+        if split == was {
+            return;
+        }
+        self.canvas.fit();
+        self.view.choices = false;
+        self.view.part = None;
+        self.run.explain(Side::A);
+        if split {
+            self.view.tab = Tab::Difference;
+        } else if self.view.tab == Tab::Difference {
+            self.view.tab = Tab::Step;
+        }
+    }
+
+    /// Whether two sides are shown.
+    pub(crate) fn split(&self) -> bool {
+        self.document.scene.compared().is_some()
     }
 
     /// Takes the steps that are due, and asks for the frame in which the next one is.
@@ -181,13 +244,26 @@ impl App {
 
     /// Why nothing runs, if so.
     pub(crate) fn problem(&self) -> Option<String> {
-        self.ran.as_ref().and_then(|(_, problem)| problem.as_ref()).map(|problem| self.words.message(problem))
+        let problem = self.ran.as_ref().and_then(|ran| ran.problem.as_ref());
+        problem.map(|problem| self.words.message(problem))
+    }
+
+    /// Why side B does not run, if so.
+    pub(crate) fn problem_b(&self) -> Option<String> {
+        let problem = self.ran.as_ref().and_then(|ran| ran.problem_b.as_ref());
+        problem.map(|problem| self.words.message(problem))
     }
 
     /// The open lab.
     pub(crate) fn lab(&self) -> usize {
         let name = self.document.input().name();
         self.labs.iter().position(|lab| lab.name() == name).unwrap_or(0)
+    }
+
+    /// What can be dragged on either canvas, as of the last frame.
+    fn handles(&self) -> Vec<Id> {
+        let beside = if self.split() { self.beside.handles() } else { &[] };
+        [self.canvas.handles(), beside].concat()
     }
 
     /// Opens a lab of the registry; not an edit, so undo does not close it.
@@ -211,6 +287,7 @@ impl App {
         self.history.end(&self.document, false);
         self.view.due = None;
         self.view.pixel = None;
+        self.view.part = None;
         self.notice = None;
         self.run.clear();
         self.ran = None;

@@ -24,6 +24,7 @@ mod presets;
 mod run;
 mod session;
 mod shell;
+mod split;
 mod task;
 mod theme;
 mod widgets;

@@ -13,4 +13,10 @@ compare-is-reversed = reversed
 compare-cull = Cull
 compare-front = Front
 
+compare-named = points
+compare-corners = corners
+compare-pixels = pixels
+
+compare-counts = { $comparisons } cmp  { $multiplications } mul  { $divisions } div
+
 column-answer = answer

@@ -43,7 +43,7 @@ pub fn settings(scene: &Scene) -> Vec<Setting> {
 
 /// Side B of a scene that compares; `None` if it does not.
 pub fn side_b(scene: &Scene) -> Option<Scene> {
-    let setting = scene.lab.as_ref()?.compare?;
+    let setting = scene.compared()?;
     let mut other = scene.clone();
     setting.apply(&mut other);
     Some(other)
@@ -123,6 +123,38 @@ impl Setting {
             // Inputs of the lab.
             Self::Algorithm(_) | Self::Arithmetic(_) => {}
         }
+    }
+
+    /// Takes back what [`apply`](Self::apply) changed: `scene` has the values of `original` again, from
+    /// which it was made. What was edited besides stays.
+    pub fn restore(self, scene: &mut Scene, original: &Scene) {
+        if let (Some(lab), Some(old)) = (&mut scene.lab, &original.lab) {
+            lab.compare = old.compare;
+            if let Some(own) = old.input.setting(self) {
+                lab.input.set(own);
+            }
+        }
+        for (draw, old) in scene.draws.iter_mut().zip(&original.draws) {
+            match self {
+                Self::DepthCompare(_) => draw.depth.compare = old.depth.compare,
+                Self::Cull(_) => draw.cull = old.cull,
+                Self::Front(_) => draw.front = old.front,
+                _ => {}
+            }
+        }
+        match self {
+            Self::FillRule(_) => scene.fill_rule = original.fill_rule,
+            Self::YAxis(_) => scene.y_axis = original.y_axis,
+            Self::DepthFormat(_) => scene.depth_format = original.depth_format,
+            Self::DepthRange(_) => scene.depth_range = original.depth_range,
+            Self::Reversed(_) => scene.reversed = original.reversed,
+            _ => {}
+        }
+    }
+
+    /// Every value that this setting can have in the open lab, its own included.
+    pub fn values(self, scene: &Scene) -> Vec<Self> {
+        candidates(scene).into_iter().filter(|other| other.field() == self.field()).collect()
     }
 
     /// Message id of what differs.

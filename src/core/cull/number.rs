@@ -5,9 +5,7 @@ use std::ops::{Add, Mul, Sub};
 
 /// What a formula without a division is written in: binary32 and binary64 as taught, [`Approx`] as a
 /// filter, [`Dyadic`] without an error.
-pub trait Number:
-    Clone + From<f32> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
-{
+pub trait Number: Clone + From<f32> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
     /// The nearest binary64 number, to be shown.
     fn to_f64(&self) -> f64;
 }

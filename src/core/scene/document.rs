@@ -51,6 +51,11 @@ impl Scene {
     /// The scene-file version that this program writes, and the newest that it reads.
     pub const VERSION: u32 = 1;
 
+    /// The setting in which side B of a split view differs, if there are two sides.
+    pub fn compared(&self) -> Option<Setting> {
+        self.lab.as_ref().and_then(|lab| lab.compare)
+    }
+
     /// A scene that draws nothing, with the defaults of the scene file.
     pub fn empty(size: [u32; 2]) -> Self {
         Self {

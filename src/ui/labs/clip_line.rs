@@ -40,8 +40,8 @@ impl Lab for ClipLine {
         let LabInput::ClipLine(input) = document.input_mut() else { return };
         let labs::ClipLine { window, segment, arithmetic, .. } = input;
         heading(ui, face, &face.say("ui-conventions"));
-        let all = [Arithmetic::Exact, Arithmetic::F64, Arithmetic::F32]
-            .map(|each| (each, face.say(each.word())));
+        let all =
+            [Arithmetic::Exact, Arithmetic::F64, Arithmetic::F32].map(|each| (each, face.say(each.word())));
         choices::choose(ui, face, "ui-arithmetic", arithmetic, &all);
         choices::snapping(ui, face, view);
         heading(ui, face, &face.say("ui-ends-and-window"));

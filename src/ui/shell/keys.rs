@@ -37,6 +37,7 @@ pub(crate) fn all() -> Vec<Shortcut> {
         (ctrl(Key::Equals), Command::Bigger, "ui-key-bigger"),
         (ctrl(Key::Minus), Command::Smaller, "ui-key-smaller"),
         (ctrl(Key::Num0), Command::TextSize(1.0), "ui-key-normal"),
+        (key(Key::C), Command::AskCompare, "ui-compare"),
         (key(Key::F), Command::Fit, "ui-key-fit"),
         (key(Key::F8), Command::NextTheme, "ui-key-theme"),
         (key(Key::F1), Command::Keys, "ui-help-keys"),

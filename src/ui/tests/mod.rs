@@ -10,6 +10,7 @@ mod painter;
 mod pictures;
 mod reach;
 mod source;
+mod split;
 
 use crate::{App, Platform, Purpose, theme};
 use egui::{Rect, vec2};

@@ -20,9 +20,10 @@ fn result(value: f64) -> Piece {
 
 /// `(x, y, z)`.
 fn vector(v: &[f64], piece: fn(f64) -> Piece) -> impl Iterator<Item = Piece> {
-    let pieces = v.iter().enumerate().flat_map(move |(i, &value)| {
-        [text(if i == 0 { "(" } else { ", " }), piece(value)]
-    });
+    let pieces = v
+        .iter()
+        .enumerate()
+        .flat_map(move |(i, &value)| [text(if i == 0 { "(" } else { ", " }), piece(value)]);
     pieces.chain([text(")")])
 }
 

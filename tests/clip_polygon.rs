@@ -27,7 +27,7 @@ fn what_is_inside_comes_back_and_what_is_outside_does_not() {
 
 #[test]
 fn a_polygon_around_the_window_leaves_the_window_in_its_own_direction() {
-    gives(r#""polygon":[[-9,-9],[9,-9],[9,9],[-9,9]]"#, "[[0.0,4.0],[0.0,0.0],[4.0,0.0],[4.0,4.0]]");
+    gives(r#""polygon":[[-9,-9],[9,-9],[9,9],[-9,9]]"#, "[[4.0,0.0],[4.0,4.0],[0.0,4.0],[0.0,0.0]]");
     gives(r#""polygon":[[-9,9],[9,9],[9,-9],[-9,-9]]"#, "[[4.0,4.0],[4.0,0.0],[0.0,0.0],[0.0,4.0]]");
 }
 
@@ -115,6 +115,6 @@ fn every_wrong_request_has_its_code() {
 fn huge_polygons_have_an_answer() {
     gives(
         r#""polygon":[[-3.4e38,-3.4e38],[3.4e38,-3.4e38],[3.4e38,3.4e38],[-3.4e38,3.4e38]]"#,
-        "[[0.0,4.0],[0.0,0.0],[4.0,0.0],[4.0,4.0]]",
+        "[[4.0,0.0],[4.0,4.0],[0.0,4.0],[0.0,0.0]]",
     );
 }

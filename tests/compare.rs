@@ -1,6 +1,7 @@
 //! Two sides: what can be compared, how two runs stand beside each other, where they differ.
 
 use crate::presets::scene;
+use rasterscope_cli::figure::{FigureOptions, SIZE, figure};
 use rasterscope_core::{
     clip::line::{Algorithm, Window, cohen_sutherland, liang_barsky},
     compare::{Changed, Fact, Pair, Setting, Side, Subject, difference, settings, side_b, sorted},
@@ -12,7 +13,6 @@ use rasterscope_core::{
     replay::{Budget, Playback},
     scene::{Lab, PRESETS, Scene},
 };
-use rasterscope_cli::figure::{FigureOptions, SIZE, figure};
 use rasterscope_figure::{theme::ThemeName, words::Words};
 
 /// Every preset in the lab that it opens, the overview's presets also in every other lab.

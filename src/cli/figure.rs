@@ -13,7 +13,7 @@ use rasterscope_figure::{
     animation::Film,
     figure::Figure,
     layout::{self, Placement},
-    png, split, svg,
+    png, space, split, svg,
     theme::{Theme, ThemeName},
 };
 use std::{io::Write, path::PathBuf};
@@ -159,7 +159,8 @@ fn end_of_pipeline(scene: &Scene, options: &FigureOptions) -> Figure {
 
 /// The drawing of a run at its cursor.
 pub(crate) fn draw(run: &dyn Playback, size: [f32; 2], theme: &Theme) -> Figure {
-    lay_out(&run.marks(), &run.view(), size, theme)
+    let marks = run.marks();
+    lay_out(&space::seen(&marks, run.vantage().as_ref(), None), &run.view(), size, theme)
 }
 
 fn lay_out(marks: &[Mark], view: &View, size: [f32; 2], theme: &Theme) -> Figure {

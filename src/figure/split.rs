@@ -12,7 +12,7 @@ use crate::{
     geometry::Rect,
     layout, markers,
     placement::Placement,
-    text,
+    space, text,
     theme::Theme,
     words::Words,
 };
@@ -25,19 +25,37 @@ pub const FOOT: f32 = 52.0;
 pub const ONE_SIDE: &[f32] = &[5.0, 4.0];
 /// Cells smaller than this are filled: an outline would be all of them.
 const OUTLINED: f64 = 6.0;
+/// Cells smaller than this are not outlined where only a number differs: it would hide the rest.
+const NUMBERED: f64 = 24.0;
 /// Radius of the ring round a point that differs.
 const RING: f64 = 13.0;
 
-/// How what differs is outlined: dashed if only one side has it.
-pub fn stroke(theme: &Theme, one_side: bool) -> Stroke {
+/// In what a part differs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Both sides have it, and say something else of it.
+    Changed,
+    /// Only one side has it.
+    OneSide,
+    /// Both have it; a coordinate or depth differs.
+    Number,
+}
+
+/// How what differs is outlined: dashed if only one side has it, thin if only a number differs.
+pub fn stroke(theme: &Theme, kind: Kind) -> Stroke {
     let color = theme.style(Role::Changed).color;
-    let dash = if one_side { ONE_SIDE } else { &[] };
-    Stroke { color, width: 2.5 + theme.extra_stroke, dash, phase: 0.0 }
+    let (width, dash) = match kind {
+        Kind::Changed => (2.5 + theme.extra_stroke, &[][..]),
+        Kind::OneSide => (2.5 + theme.extra_stroke, ONE_SIDE),
+        Kind::Number => (1.25, &[][..]),
+    };
+    Stroke { color, width, dash, phase: 0.0 }
 }
 
 /// Outlines on the drawing of `side` what differs.
 ///
-/// A pixel is outlined on both sides, also where it is missing; a point only where it is.
+/// A pixel is outlined on both sides, also where it is missing; a point only where it is. Small
+/// cells get thin outlines, and none where only a number differs.
 pub fn outline(
     figure: &mut Figure,
     difference: &Difference,
@@ -46,25 +64,29 @@ pub fn outline(
     theme: &Theme,
 ) {
     let Difference { only_a, only_b, changed, .. } = difference;
-    let changed = changed.iter().map(|both| (if side == Side::A { &both.a } else { &both.b }, true, false));
-    let only_a = only_a.iter().map(|fact| (fact, side == Side::A, true));
-    let only_b = only_b.iter().map(|fact| (fact, side == Side::B, true));
-    for (fact, here, one_side) in changed.chain(only_a).chain(only_b) {
-        let stroke = stroke(theme, one_side);
+    let changed = changed.iter().map(|both| {
+        let kind = if both.in_numbers_only() { Kind::Number } else { Kind::Changed };
+        (if side == Side::A { &both.a } else { &both.b }, true, kind)
+    });
+    let only_a = only_a.iter().map(|fact| (fact, side == Side::A, Kind::OneSide));
+    let only_b = only_b.iter().map(|fact| (fact, side == Side::B, Kind::OneSide));
+    for (fact, here, kind) in changed.chain(only_a).chain(only_b) {
+        let stroke = stroke(theme, kind);
         match (&fact.subject, fact.at) {
-            (Subject::Pixel(pixel), _) => outline_pixel(figure, *pixel, placement, stroke),
+            (Subject::Pixel(pixel), _) => outline_pixel(figure, *pixel, placement, stroke, kind),
             (_, Some(at)) if here => ring(figure, placement.wide(at.map(f64::from)), stroke, theme),
             _ => {}
         }
     }
 }
 
-fn outline_pixel(figure: &mut Figure, pixel: [u32; 2], placement: &Placement, stroke: Stroke) {
+fn outline_pixel(figure: &mut Figure, pixel: [u32; 2], placement: &Placement, stroke: Stroke, kind: Kind) {
     let Some(cell) = cell(figure, pixel, placement) else { return };
-    figure.shapes.push(if placement.scale < OUTLINED {
-        rect(cell, Some(stroke.color.alpha(0.6)), None)
-    } else {
-        rect(cell.grown(-f64::from(stroke.width) / 2.0), None, Some(stroke))
+    let width = stroke.width.min(placement.scale as f32 / 8.0);
+    figure.shapes.push(match kind {
+        Kind::Number if placement.scale < NUMBERED => return,
+        _ if placement.scale < OUTLINED => rect(cell, Some(stroke.color.alpha(0.6)), None),
+        _ => rect(cell.grown(-f64::from(width) / 2.0), None, Some(Stroke { width, ..stroke })),
     });
 }
 
@@ -170,7 +192,9 @@ pub fn draw(
     let pane = |side: Side| {
         let (run, setting, view) = (pair.run(side), own[side as usize], views[side as usize]);
         let placement = stand_beside(placement, views[0], view);
-        let mut drawing = layout::draw(&run.marks(), &view, &placement, room, theme, words);
+        let marks = run.marks();
+        let marks = space::seen(&marks, run.vantage().as_ref(), None);
+        let mut drawing = layout::draw(&marks, &view, &placement, room, theme, words);
         if pair.cursor() == pair.len() {
             outline(&mut drawing, pair.difference(), side, &placement, theme);
         }

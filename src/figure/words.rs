@@ -88,6 +88,8 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "back-face"
     "cohen-sutherland"
     "liang-barsky"
+    "sutherland-hodgman"
+    "clip-triangle"
     "aabb"
     "scanline"
     "z-buffer"

@@ -1,11 +1,13 @@
 //! The window's contents as one value: document, view, run, and one frame of it.
 
 use crate::{
-    document::{Document, Tab, ViewState},
+    document::{Document, ViewState},
+    evaluation::Evaluation,
     face::Command,
     film::Film,
     keeping::Kept,
     labs::{self, Lab},
+    opening::Opening,
     overview::Overview,
     paint::Textures,
     platform::{Platform, Purpose},
@@ -14,13 +16,10 @@ use crate::{
     shell::{canvas::Canvas, inspector::Digest, notice::Notice},
     theme::{self, Look},
 };
-use egui::{Context, Id, Ui};
+use egui::{Context, Ui};
 use rasterscope_core::{
-    compare::{self, Side},
     history::History,
     labs::{self as core_labs, LabInput},
-    message::Message,
-    replay::Budget,
     scene::Scene,
 };
 use rasterscope_figure::words::Words;
@@ -33,7 +32,7 @@ pub struct App {
     pub(crate) history: History<Document>,
     pub(crate) view: ViewState,
     pub(crate) run: Run,
-    ran: Option<Ran>,
+    pub(crate) evaluation: Evaluation,
     pub(crate) digest: Option<Digest>,
     pub(crate) overview: Overview,
     pub(crate) canvas: Canvas,
@@ -46,6 +45,8 @@ pub struct App {
     /// The preset that was opened, and what it was; no longer chosen once something is edited.
     pub(crate) preset: Option<(&'static str, Scene)>,
     pub(crate) notice: Option<Notice>,
+    /// The file that is being opened.
+    pub(crate) opening: Option<Opening>,
     /// The animated picture that is being made.
     pub(crate) film: Option<Film>,
     /// Where the document came from, and what was last written there.
@@ -60,28 +61,6 @@ pub struct App {
     pub(crate) quitting: bool,
     pub(crate) words: Rc<Words>,
     pub(crate) look: Rc<Look>,
-}
-
-/// What the run is of.
-#[derive(Debug)]
-struct Ran {
-    scene: Scene,
-    /// Why there is no run.
-    problem: Option<Message>,
-    /// Why there is none of side B.
-    problem_b: Option<Message>,
-}
-
-/// Whether two scenes are the same on side A.
-fn same_but_compared(a: &Scene, b: &Scene) -> bool {
-    let alone = |scene: &Scene| {
-        let mut scene = scene.clone();
-        if let Some(lab) = &mut scene.lab {
-            lab.compare = None;
-        }
-        scene
-    };
-    a.compared() != b.compared() && alone(a) == alone(b)
 }
 
 impl App {
@@ -100,7 +79,7 @@ impl App {
             history: History::default(),
             view,
             run: Run::default(),
-            ran: None,
+            evaluation: Evaluation::default(),
             digest: None,
             overview: Overview::default(),
             canvas: Canvas::default(),
@@ -111,6 +90,7 @@ impl App {
             names,
             preset: None,
             notice: None,
+            opening: None,
             film: None,
             path: None,
             clean: None,
@@ -144,9 +124,15 @@ impl App {
         }));
         commands.extend(crate::shell::keys::pressed(&ctx, &self.handles()));
         self.execute(&ctx, commands, platform);
+        self.end_opening(&ctx, platform);
         self.end_film(&ctx, platform);
         self.play(&ctx);
-        self.update();
+        if self.only_opening(&ctx) {
+            ui.painter().rect_filled(ui.max_rect(), 0, self.look.panel);
+            return;
+        }
+        self.lay_out_sides();
+        self.update(&ctx, platform);
 
         self.history.begin(&self.document);
         let commands = RefCell::default();
@@ -164,64 +150,6 @@ impl App {
         self.textures.end_frame();
         self.closing(&ctx);
         self.autosave(&ctx, platform);
-    }
-
-    /// Starts the run anew if what it depends on has changed; side B runs only where there is one.
-    pub(crate) fn update(&mut self) {
-        let scene = &self.document.scene;
-        self.overview.update(scene, self.view.skips);
-        let old = self.ran.take();
-        if old.as_ref().is_some_and(|ran| ran.scene == *scene) {
-            self.ran = old;
-            return;
-        }
-        // What side A is compared with changes nothing of it.
-        let same = old.as_ref().is_some_and(|ran| same_but_compared(&ran.scene, scene));
-        let kept = same.then(|| self.run.take_a()).flatten();
-        let mut fresh = usize::from(kept.is_none());
-        let a = kept.map_or_else(|| core_labs::play(scene, Budget::default()), Ok);
-        let b = compare::side_b(scene).filter(|_| a.is_ok()).map(|other| {
-            fresh += 1;
-            core_labs::play(&other, Budget::default())
-        });
-        let [mut problem, mut problem_b] = [None, None];
-        match a {
-            Ok(a) => {
-                let b = b.transpose().unwrap_or_else(|problem| {
-                    problem_b = Some(problem);
-                    None
-                });
-                self.run.set(a, b, fresh);
-            }
-            Err(why) => {
-                self.run.clear();
-                problem = Some(why);
-            }
-        }
-        self.ran = Some(Ran { scene: scene.clone(), problem, problem_b });
-        self.update_split(old.is_some_and(|ran| ran.scene.compared().is_some()));
-    }
-
-    /// Turning the split view on or off fits the drawing anew and chooses a tab that is there.
-    fn update_split(&mut self, was: bool) {
-        let split = self.split();
-        if split == was {
-            return;
-        }
-        self.canvas.fit();
-        self.view.choices = false;
-        self.view.part = None;
-        self.run.explain(Side::A);
-        if split {
-            self.view.tab = Tab::Difference;
-        } else if self.view.tab == Tab::Difference {
-            self.view.tab = Tab::Step;
-        }
-    }
-
-    /// Whether two sides are shown.
-    pub(crate) fn split(&self) -> bool {
-        self.document.scene.compared().is_some()
     }
 
     /// Takes the steps that are due, and asks for the frame in which the next one is.
@@ -242,28 +170,10 @@ impl App {
         }
     }
 
-    /// Why nothing runs, if so.
-    pub(crate) fn problem(&self) -> Option<String> {
-        let problem = self.ran.as_ref().and_then(|ran| ran.problem.as_ref());
-        problem.map(|problem| self.words.message(problem))
-    }
-
-    /// Why side B does not run, if so.
-    pub(crate) fn problem_b(&self) -> Option<String> {
-        let problem = self.ran.as_ref().and_then(|ran| ran.problem_b.as_ref());
-        problem.map(|problem| self.words.message(problem))
-    }
-
     /// The open lab.
     pub(crate) fn lab(&self) -> usize {
         let name = self.document.input().name();
         self.labs.iter().position(|lab| lab.name() == name).unwrap_or(0)
-    }
-
-    /// What can be dragged on either canvas, as of the last frame.
-    fn handles(&self) -> Vec<Id> {
-        let beside = if self.split() { self.beside.handles() } else { &[] };
-        [self.canvas.handles(), beside].concat()
     }
 
     /// Opens a lab of the registry; not an edit, so undo does not close it.
@@ -271,6 +181,7 @@ impl App {
         self.document.open_lab(name, || core_labs::default_input(name).unwrap_or(LabInput::PIPELINE));
         self.view.due = None;
         self.canvas.fit();
+        self.view.outside = None;
     }
 
     /// Replaces the document; can be undone.
@@ -289,12 +200,8 @@ impl App {
         self.view.pixel = None;
         self.view.part = None;
         self.notice = None;
-        self.run.clear();
-        self.ran = None;
-        self.update();
-        if let Some(step) = step {
-            self.run.seek(step);
-        }
+        self.start_anew(step);
         self.canvas.fit();
+        self.view.outside = None;
     }
 }

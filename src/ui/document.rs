@@ -50,9 +50,7 @@ impl Document {
         if !std::iter::once(self.input()).chain(&self.others).all(same) {
             return false;
         }
-        // The labs are compared: what else there is, without a copy of the meshes.
-        let bare = |document: &Self| Scene { lab: None, ..document.scene.clone() };
-        bare(self) == bare(clean)
+        self.scene.same_picture(&clean.scene)
     }
 
     /// The inputs of the open lab.
@@ -175,10 +173,14 @@ pub(crate) struct ViewState {
     pub(crate) tab: Tab,
     /// The pixel whose history is shown.
     pub(crate) pixel: Option<[u32; 2]>,
+    /// Whether the window is laid out for two sides.
+    pub(crate) split: bool,
     /// The part of two results that is explained, as either side has it.
     pub(crate) part: Option<Fact>,
     /// The camera outside the frustum, once it was used.
     pub(crate) orbit: Option<Orbit>,
+    /// The camera of a lab that draws in space, once the user has turned it.
+    pub(crate) outside: Option<Orbit>,
     /// What the pipeline may leave out; it never changes the image.
     pub(crate) skips: Skips,
     /// What the overview's canvas shows.
@@ -217,8 +219,10 @@ impl Default for ViewState {
             due: None,
             tab: Tab::Step,
             pixel: None,
+            split: false,
             part: None,
             orbit: None,
+            outside: None,
             skips: Skips::ALL,
             scenery: Scenery::Image,
             outlines: true,

@@ -10,12 +10,14 @@
 mod app;
 mod commands;
 mod document;
+mod evaluation;
 mod export;
 mod face;
 mod files;
 mod film;
 mod keeping;
 mod labs;
+mod opening;
 mod overview;
 mod paint;
 mod panels;
@@ -30,7 +32,7 @@ mod theme;
 mod widgets;
 
 pub use app::App;
-pub use platform::{Platform, Purpose};
+pub use platform::{Platform, Purpose, Reader};
 
 #[cfg(test)]
 mod tests;

@@ -119,8 +119,7 @@ impl App {
                 let digest = Digest::update(&mut self.digest, shown, &words);
                 let history = self.view.pixel.and_then(|pixel| self.overview.history(pixel, &words));
                 let stages = (name == "pipeline").then(|| self.overview.table(&words));
-                let pair = self.run.pair();
-                let side = self.run.side();
+                let (pair, side) = (self.run.pair(), self.run.side());
                 let whole = Whole { history: history.as_deref(), stages: stages.as_deref(), pair, side };
                 inspector::show(ui, &face, &frame, shown, digest, whole, &mut self.view);
             });
@@ -161,11 +160,14 @@ impl App {
             self.labs[lab].outcome(&self.document, &shown.markers)
         };
         let Some(outcome) = outcome_of(Side::A) else { return of_scene };
-        let beside = outcome_of(Side::B).map(|beside| format!(" | {}", beside.count()));
+        let count = match outcome_of(Side::B) {
+            Some(beside) => format!("{} | {}", outcome.went, beside.went),
+            None => outcome.count(),
+        };
         let mut chips = of_scene.to_vec();
         for chip in &mut chips {
             if chip.stage == stage {
-                chip.count = Some(outcome.count() + beside.as_deref().unwrap_or_default());
+                chip.count = Some(count.clone());
                 chip.unit = outcome.unit.map_or_else(String::new, |unit| self.words.word(unit));
                 chip.skipped = None;
             } else if chip.stage == core_labs::Stage::Scene && self.document.scene.draws.is_empty() {
@@ -184,13 +186,17 @@ impl App {
             (Some(picture), _) => Some(Drawing {
                 marks: &picture.marks,
                 view: &picture.view,
+                vantage: None,
                 rev: (picture.maker, picture.rev),
                 compared: None,
             }),
-            (None, Some(shown)) => {
-                let rev = (Maker::Run, shown.rev);
-                Some(Drawing { marks: &shown.marks, view: &shown.view, rev, compared: None })
-            }
+            (None, Some(shown)) => Some(Drawing {
+                marks: &shown.marks,
+                view: &shown.view,
+                vantage: shown.vantage.as_ref(),
+                rev: (Maker::Run, shown.rev),
+                compared: None,
+            }),
             (None, None) => None,
         };
         let Some(drawing) = drawing else {

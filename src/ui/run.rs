@@ -2,7 +2,7 @@
 
 use rasterscope_core::{
     compare::{Pair, Side},
-    explain::{Formula, Level, Mark, Marker, Operations, Table, View},
+    explain::{Formula, Level, Mark, Marker, Operations, Table, Vantage, View},
     message::Message,
     replay::Playback,
 };
@@ -24,6 +24,7 @@ pub(crate) struct Shown {
     pub(crate) before: Vec<Table>,
     pub(crate) marks: Vec<Mark>,
     pub(crate) view: View,
+    pub(crate) vantage: Option<Vantage>,
     pub(crate) markers: Vec<(usize, Marker)>,
     /// What the side costs up to the cursor, and as a whole; counted only where two are compared.
     pub(crate) operations: Option<[Operations; 2]>,
@@ -234,6 +235,7 @@ fn shown(
         tables: run.tables(),
         marks: run.marks(),
         view: run.view(),
+        vantage: run.vantage(),
         markers,
         operations,
         rev,

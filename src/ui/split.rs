@@ -2,7 +2,7 @@
 
 use crate::{
     app::App,
-    document::Document,
+    document::{Document, Tab},
     face::Face,
     labs::Open,
     shell::{
@@ -11,7 +11,7 @@ use crate::{
         split::{self, Sides},
     },
 };
-use egui::{Rect, Stroke, Ui, UiBuilder, pos2};
+use egui::{Id, Rect, Stroke, Ui, UiBuilder, pos2};
 use rasterscope_core::{
     compare::{Difference, Fact, Pair, Side, side_b},
     explain::View,
@@ -22,6 +22,35 @@ use rasterscope_figure::{
 };
 
 impl App {
+    /// Whether two sides are asked for.
+    pub(crate) fn split(&self) -> bool {
+        self.document.scene.compared().is_some()
+    }
+
+    /// What can be dragged on either canvas, as of the last frame.
+    pub(crate) fn handles(&self) -> Vec<Id> {
+        let beside = if self.split() { self.beside.handles() } else { &[] };
+        [self.canvas.handles(), beside].concat()
+    }
+
+    /// Where the window comes to show two sides, or one again, the drawing fits anew and a tab that
+    /// is there is chosen.
+    pub(crate) fn lay_out_sides(&mut self) {
+        let split = self.split();
+        if std::mem::replace(&mut self.view.split, split) == split {
+            return;
+        }
+        self.canvas.fit();
+        self.view.choices = false;
+        self.view.part = None;
+        self.run.explain(Side::A);
+        if split {
+            self.view.tab = Tab::Difference;
+        } else if self.view.tab == Tab::Difference {
+            self.view.tab = Tab::Step;
+        }
+    }
+
     /// The setting in which the two sides differ, if there are two.
     pub(crate) fn sides(&self) -> Option<Sides> {
         let scene = &self.document.scene;
@@ -74,7 +103,7 @@ impl App {
         let x = ui.painter().round_to_pixel_center(left.right());
         ui.painter().vline(x, rect.y_range(), Stroke::new(1.0, face.look.line));
         let (Some(shown_b), Some(at)) = (shown_b, self.canvas.placement()) else {
-            let problem = self.problem_b().unwrap_or_default();
+            let problem = self.problem_of(Side::B).unwrap_or_default();
             return split::problem(ui, face, body(right), &problem);
         };
 
@@ -83,7 +112,7 @@ impl App {
         let name = other.input().name();
         let lab = self.labs.iter().find(|lab| lab.name() == name).unwrap_or(&self.labs[lab]);
         let placed = stand_beside(at, views[0], views[1]);
-        self.beside.follow(placed, views[1], body(right).size());
+        self.beside.follow(&self.canvas, placed, views[1], body(right).size());
         let mut open = Open { lab: lab.as_ref(), document: &mut other, view: &mut self.view };
         let (canvas, textures) = (&mut self.beside, &mut self.textures);
         inside(ui, body(right), "side B", |ui| {
@@ -151,5 +180,6 @@ fn drawing<'a>(
     let difference: Option<&Difference> = pair.filter(|_| done).map(Pair::difference);
     let facts = pair.map_or(&[][..], |pair| pair.facts(side));
     let compared = Some(Compared { side, facts, difference, chosen: chosen.filter(|_| done) });
-    Drawing { marks: &shown.marks, view, rev: (Maker::Run, shown.rev), compared }
+    let vantage = shown.vantage.as_ref();
+    Drawing { marks: &shown.marks, view, vantage, rev: (Maker::Run, shown.rev), compared }
 }

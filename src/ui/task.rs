@@ -30,7 +30,6 @@ impl Progress {
 }
 
 /// Work that was started and has not been heard of since.
-#[derive(Debug)]
 pub(crate) struct Task<T> {
     progress: Arc<Progress>,
     answer: Receiver<T>,
@@ -38,8 +37,13 @@ pub(crate) struct Task<T> {
     since: f64,
 }
 
+impl<T> std::fmt::Debug for Task<T> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Task").field("progress", &self.progress).finish_non_exhaustive()
+    }
+}
+
 /// What is heard of a task.
-#[derive(Debug)]
 pub(crate) enum News<T> {
     /// It goes on.
     None,

@@ -13,6 +13,12 @@ pub struct Changed {
 }
 
 impl Changed {
+    /// Whether the two differ by rounding alone: in coordinates and depths, not in what is said.
+    pub fn in_numbers_only(&self) -> bool {
+        let mut pairs = self.a.values.iter().zip(&self.b.values);
+        pairs.all(|((_, a), (_, b))| equal(a, b) || ulps(a, b).is_some())
+    }
+
     /// How far the numbers are apart that are farthest apart; `None` if no number differs.
     pub fn ulps(&self) -> Option<u64> {
         let pairs = self.a.values.iter().zip(&self.b.values);
@@ -65,12 +71,22 @@ impl<'a> Part<'a> {
 }
 
 impl Difference {
-    /// Every part that differs: what both have first, then A's own, then B's own.
+    /// Every part that differs: what both have first, then A's own, then B's own; what differs in
+    /// numbers only comes last.
     pub fn parts(&self) -> impl Iterator<Item = Part<'_>> {
-        let changed = self.changed.iter().map(|Changed { a, b }| Part { a: Some(a), b: Some(b) });
+        let changed = |in_numbers: bool| {
+            let of_kind = move |changed: &&Changed| changed.in_numbers_only() == in_numbers;
+            let both = self.changed.iter().filter(of_kind);
+            both.map(|Changed { a, b }| Part { a: Some(a), b: Some(b) })
+        };
         let only_a = self.only_a.iter().map(|a| Part { a: Some(a), b: None });
         let only_b = self.only_b.iter().map(|b| Part { a: None, b: Some(b) });
-        changed.chain(only_a).chain(only_b)
+        changed(false).chain(only_a).chain(only_b).chain(changed(true))
+    }
+
+    /// How many parts of both differ in numbers only.
+    pub fn in_numbers_only(&self) -> usize {
+        self.changed.iter().filter(|changed| changed.in_numbers_only()).count()
     }
 
     /// How many parts differ.

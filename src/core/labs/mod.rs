@@ -5,14 +5,18 @@
 //! makes sense there, and how a run starts. Adding a lab is such a file (or a name more in one),
 //! a line in [`ALL`], and for a new family a line in [`LabInput`].
 
+mod back_face;
 mod clip_line;
+mod clip_polygon;
+mod clip_triangle;
 mod pipeline;
 mod scanline;
 mod transform;
 mod z_buffer;
 
 pub use self::{
-    clip_line::ClipLine, pipeline::Pipeline, scanline::Scanline, transform::Transform, z_buffer::ZBuffer,
+    back_face::BackFace, clip_line::ClipLine, clip_polygon::ClipPolygon, clip_triangle::ClipTriangle,
+    pipeline::Pipeline, scanline::Scanline, transform::Transform, z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
 
@@ -72,8 +76,11 @@ impl fmt::Debug for LabInfo {
 pub const ALL: &[LabInfo] = &[
     LabInfo::new::<Pipeline>("pipeline", Stage::Image),
     LabInfo::new::<Transform>("transform", Stage::ClipSpace),
+    LabInfo::new::<BackFace>("back-face", Stage::Cull),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
+    LabInfo::new::<ClipTriangle>("clip-triangle", Stage::Clip),
+    LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
 ];
@@ -189,12 +196,18 @@ macro_rules! families {
 families! {
     /// A line against a window.
     ClipLine
+    /// Polygons against a window.
+    ClipPolygon
     /// One triangle, row by row.
     Scanline
     /// Triangles, fragment by fragment.
     ZBuffer
     /// One vertex through all the spaces.
     Transform
+    /// One triangle: does the eye see its back?
+    BackFace
+    /// One triangle against the planes of the frustum.
+    ClipTriangle
     /// The whole scene, stage by stage.
     Pipeline
 }

@@ -56,6 +56,37 @@ impl Scene {
         self.lab.as_ref().and_then(|lab| lab.compare)
     }
 
+    /// Whether two scenes differ in nothing but what they are compared with.
+    pub fn same_side_a(&self, other: &Self) -> bool {
+        let input = |scene: &Self| scene.lab.as_ref().map(|lab| lab.input.clone());
+        self.same_picture(other) && input(self) == input(other)
+    }
+
+    /// Whether two scenes differ at most in the lab that is open.
+    pub fn same_picture(&self, other: &Self) -> bool {
+        let Self {
+            name,
+            note,
+            size,
+            clear,
+            camera,
+            depth_range,
+            depth_format,
+            reversed,
+            fill_rule,
+            samples,
+            y_axis,
+            draws,
+            lab: _, // every other field stands here: a new one is not forgotten
+        } = self;
+        (name, note, size, clear, camera)
+            == (&other.name, &other.note, &other.size, &other.clear, &other.camera)
+            && (depth_range, depth_format, reversed)
+                == (&other.depth_range, &other.depth_format, &other.reversed)
+            && (fill_rule, samples, y_axis) == (&other.fill_rule, &other.samples, &other.y_axis)
+            && *draws == other.draws
+    }
+
     /// A scene that draws nothing, with the defaults of the scene file.
     pub fn empty(size: [u32; 2]) -> Self {
         Self {
@@ -140,7 +171,7 @@ impl Draw {
 }
 
 /// Where a draw's triangles come from.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum Geometry {
     /// They stand in the scene file.
     Mesh(Arc<Mesh>),
@@ -153,6 +184,24 @@ pub enum Geometry {
         /// `None` until the scene is resolved; kept out of the scene file.
         mesh: Option<Arc<Mesh>>,
     },
+}
+
+/// Equal triangles behind one [`Arc`] are not looked at: scenes are compared in every frame.
+impl PartialEq for Geometry {
+    fn eq(&self, other: &Self) -> bool {
+        let same = |a: &Arc<Mesh>, b: &Arc<Mesh>| Arc::ptr_eq(a, b) || a == b;
+        match (self, other) {
+            (Self::Mesh(a), Self::Mesh(b)) => same(a, b),
+            (Self::Model { file, color, mesh }, Self::Model { file: f, color: c, mesh: m }) => {
+                let loaded = match (mesh, m) {
+                    (Some(a), Some(b)) => same(a, b),
+                    (a, b) => a.is_none() && b.is_none(),
+                };
+                file == f && color == c && loaded
+            }
+            _ => false,
+        }
+    }
 }
 
 impl Geometry {

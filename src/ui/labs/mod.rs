@@ -3,14 +3,19 @@
 //! A lab says what of the document can be dragged and chosen. Running, stepping, listing,
 //! inspector and painting are the shell's, the same for all.
 
+mod back_face;
 mod clip_line;
+mod clip_polygon;
+mod clip_triangle;
 mod cohen_sutherland;
 mod liang_barsky;
 mod objects;
 mod pipeline;
 mod placing;
 mod scanline;
+mod sutherland_hodgman;
 mod transform;
+mod window;
 mod z_buffer;
 
 use crate::{
@@ -37,6 +42,23 @@ pub(crate) trait Lab: std::fmt::Debug {
 
     /// Moves a handle: the only way in which the canvas edits the document.
     fn drag(&self, document: &mut Document, handle: usize, to: [f32; 2]);
+
+    /// What can be dragged of a drawing in space.
+    fn solid_handles(&self, _: &Document) -> Vec<SolidHandle> {
+        Vec::new()
+    }
+
+    /// Moves a handle of a drawing in space.
+    fn drag_solid(&self, _: &mut Document, _: usize, _: [f32; 3]) {}
+}
+
+/// A point of a drawing in space that can be dragged, in the plane through it that the picture shows.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct SolidHandle {
+    /// Its accessible name.
+    pub(crate) name: String,
+    /// Where it is, in the space of the drawing.
+    pub(crate) at: [f32; 3],
 }
 
 /// What a lab did, as its chip says it.
@@ -105,8 +127,11 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
     vec![
         Box::new(pipeline::Pipeline),
         Box::new(transform::Transform),
+        Box::new(back_face::BackFace),
         Box::new(cohen_sutherland::LAB),
         Box::new(liang_barsky::LAB),
+        Box::new(clip_triangle::ClipTriangle),
+        Box::new(sutherland_hodgman::LAB),
         Box::new(scanline::Scanline),
         Box::new(z_buffer::ZBuffer),
     ]

@@ -20,7 +20,7 @@ pub(super) fn readout(
     drawing: Drawing<'_>,
     known: Option<&Hover>,
 ) -> Option<[u32; 2]> {
-    if drawing.rev.0 == Maker::Space {
+    if drawing.rev.0 == Maker::Space || drawing.vantage.is_some() {
         foot(ui, face, plane.rect, &face.say("ui-readout-space"));
         return None;
     }

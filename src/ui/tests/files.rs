@@ -1,13 +1,15 @@
 use super::*;
 use crate::face::Command;
+use crate::opening::When;
 use crate::shell::notice::Notice;
 use rasterscope_core::scene::Scene;
 
 fn open(window: &mut Window, path: &str, bytes: &[u8]) {
+    let ctx = window.ctx.clone();
     let desk = window.state_mut();
     desk.platform.files.insert(path.to_owned(), bytes.to_owned());
     let Desk { app, platform } = desk;
-    app.as_mut().expect("made").open(path, platform);
+    app.as_mut().expect("made").open(&ctx, path, When::Later, platform);
     window.run();
 }
 
@@ -44,8 +46,9 @@ fn a_bad_file_says_what_is_wrong_and_the_document_stays() {
 #[test]
 fn a_missing_file_is_named() {
     let mut window = window(1280.0, 720.0);
+    let ctx = window.ctx.clone();
     let Desk { app, platform } = window.state_mut();
-    app.as_mut().expect("made").open("nowhere/scene.json", platform);
+    app.as_mut().expect("made").open(&ctx, "nowhere/scene.json", When::Later, platform);
     window.run();
     assert!(failure(&window).is_some_and(|text| text.contains("nowhere/scene.json")));
 }
@@ -84,4 +87,24 @@ fn a_model_opens_in_the_overview() {
     let app = window.state().app();
     assert_eq!(app.document.scene.draws.len(), 1);
     assert_eq!(app.document.input().name(), "pipeline");
+}
+
+#[test]
+fn a_full_disk_leaves_the_old_file_and_the_edit() {
+    let mut window = window_with("cohen-sutherland");
+    let ctx = window.ctx.clone();
+    let save = |window: &mut Window| {
+        let Desk { app, platform } = window.state_mut();
+        app.as_mut().expect("made").execute(&ctx, vec![Command::SaveAs("a.json".into())], platform);
+        window.run();
+    };
+    save(&mut window);
+    let old = window.state().platform.files["a.json"].clone();
+    window.state_mut().app_mut().document.scene.clear.depth = 0.25;
+    window.state_mut().platform.full = true;
+    save(&mut window);
+    let text = failure(&window).unwrap_or_default();
+    assert_eq!(text, "a.json cannot be written: the disk is full. Save under another path.");
+    assert!(window.state().app().modified());
+    assert_eq!(window.state().platform.files["a.json"], old);
 }

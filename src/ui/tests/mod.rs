@@ -3,6 +3,7 @@
 mod editing;
 mod export;
 mod files;
+mod heavy;
 mod keeping;
 mod keys;
 mod labs;
@@ -12,7 +13,7 @@ mod reach;
 mod source;
 mod split;
 
-use crate::{App, Platform, Purpose, theme};
+use crate::{App, Platform, Purpose, Reader, theme};
 use egui::{Rect, vec2};
 use egui_kittest::{Harness, kittest::Queryable as _};
 use painter::CpuPainter;
@@ -39,16 +40,17 @@ impl Memory {
 }
 
 impl Platform for Memory {
-    fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
-        self.files
-            .get(path)
-            .cloned()
-            .ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "there is no such file"))
+    fn reader(&mut self) -> Reader {
+        let files = self.files.clone();
+        Box::new(move |path| files.get(path).cloned().ok_or_else(|| io::ErrorKind::NotFound.into()))
     }
 
     fn write(&mut self, path: &str, bytes: &[u8]) -> io::Result<()> {
         if path.starts_with("/read-only/") {
             return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the folder is read-only"));
+        }
+        if self.full {
+            return Err(io::ErrorKind::StorageFull.into());
         }
         self.files.insert(path.to_owned(), bytes.to_owned());
         Ok(())

@@ -93,7 +93,7 @@ fn turning_it_on_and_off_is_undone_like_any_edit() {
         window.run();
     };
     click(&mut window, "Split view");
-    window.get_by_label("Algorithm: Liang-Barsky").click();
+    window.get_by_label("Algorithm: Liang–Barsky").click();
     window.run();
     let on = Some(Setting::Algorithm("liang-barsky"));
     assert_eq!(compared(&window), on);

@@ -7,12 +7,14 @@
 //! the line and the border alone: not on the order of the ends, nor on the algorithm.
 
 pub mod cohen_sutherland;
+mod crossings;
 pub(in crate::clip) mod intersection;
 pub mod liang_barsky;
 
 use crate::{
     compare::Fact,
     explain::{Grid, Piece, View},
+    math::Arithmetic,
     message::Value,
 };
 use serde::{Deserialize, Serialize};
@@ -77,12 +79,9 @@ impl Window {
     /// The constant coordinate of a border.
     #[inline]
     pub fn at(&self, border: Border) -> f32 {
-        match border {
-            Border::Top => self.ymax,
-            Border::Bottom => self.ymin,
-            Border::Right => self.xmax,
-            Border::Left => self.xmin,
-        }
+        // Without a jump, which a processor could not foresee: an upper border is an even one.
+        let [min, max] = self.sides(border.axis());
+        if border as u8 % 2 == 0 { max } else { min }
     }
 
     /// Minimum and maximum of x (axis 0) or y (axis 1).
@@ -123,6 +122,12 @@ impl Border {
             Self::Right | Self::Left => 0,
             Self::Top | Self::Bottom => 1,
         }
+    }
+
+    /// Whether inside is where the coordinate is smaller.
+    #[inline]
+    pub fn is_upper(self) -> bool {
+        matches!(self, Self::Top | Self::Right)
     }
 
     /// The name of its constant.
@@ -173,6 +178,12 @@ impl End {
             Self::P1 => Self::P2,
             Self::P2 => Self::P1,
         }
+    }
+
+    /// Of two ends with different codes, the one beyond a border at which they differ.
+    #[inline(always)]
+    fn beyond(border: Border, [c1, _]: [Outcode; 2]) -> Self {
+        if c1.has(border) { Self::P1 } else { Self::P2 }
     }
 }
 
@@ -245,7 +256,7 @@ pub(in crate::clip) fn view(points: impl IntoIterator<Item = Point>, window: &Wi
     }
     for axis in 0..2 {
         // Room for what stands in the outer regions; capped so that huge inputs stay finite.
-        let margin = ((max[axis] / 2.0 - min[axis] / 2.0) * 0.25).max(0.5);
+        let margin = ((max[axis] / 2.0 - min[axis] / 2.0) * 0.4).max(0.5);
         min[axis] = (min[axis] - margin).max(f32::MIN / 4.0);
         max[axis] = (max[axis] + margin).min(f32::MAX / 4.0);
     }
@@ -259,6 +270,21 @@ fn facts(accepted: Option<bool>, ends: Segment, out: &mut Vec<Fact>) {
     if accepted {
         out.extend(End::ALL.map(|end| Fact::point(end.name(), ends[end as usize])));
     }
+}
+
+/// The numbers of how far along from a1 to a2 the border c lies, `= (c − a1) / (a2 − a1) = t`, and t.
+pub(in crate::clip) fn share(c: f32, [a1, a2]: [f32; 2], arithmetic: Arithmetic) -> (Vec<Piece>, Value) {
+    let t = if arithmetic == Arithmetic::F32 {
+        Value::F32((c - a1) / (a2 - a1))
+    } else {
+        let [c, a1, a2] = [c, a1, a2].map(f64::from);
+        Value::F64((c - a1) / (a2 - a1))
+    };
+    let [c, a1, a2] = [c, a1, a2].map(|x| Piece::Number(x.into()));
+    let text = Piece::Text;
+    let (open, minus, over) = (text("= ("), text(" − "), text(") / ("));
+    let numbers = vec![open, c, minus.clone(), a1.clone(), over, a2, minus, a1, text(") = ")];
+    (numbers.into_iter().chain([Piece::Result(t.clone())]).collect(), t)
 }
 
 /// The numbers of a coordinate at t: `= b1 + t (b2 − b1) = result`.

@@ -76,10 +76,7 @@ impl Place {
     /// From the order of a point's coordinate and the border's.
     #[inline]
     pub fn of(order: Ordering, border: Border) -> Self {
-        let outward = match border {
-            Border::Top | Border::Right => Ordering::Greater,
-            Border::Bottom | Border::Left => Ordering::Less,
-        };
+        let outward = if border.is_upper() { Ordering::Greater } else { Ordering::Less };
         match order {
             Ordering::Equal => Self::On,
             order if order == outward => Self::Out,
@@ -204,7 +201,9 @@ impl Given<'_> {
         }
         corners.truncate(kept);
         self.close(corners, tally, &mut dropped);
-        if corners.len() < 3 {
+        // Rounding can lay what is left on a border.
+        let flat = |axis: usize| corners.iter().all(|corner| corner.at[axis] == corners[0].at[axis]);
+        if corners.len() < 3 || flat(0) || flat(1) {
             clear(corners, &mut dropped);
         }
     }

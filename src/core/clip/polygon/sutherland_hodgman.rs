@@ -6,7 +6,15 @@
 //! so that every side decides and cuts by the polygon as it was given; a corner on a border is its own
 //! cut and is not emitted twice; at the end, corners that repeat or do not turn are dropped.
 
+mod bridges;
+mod explain;
 mod forms;
+mod formulas;
+mod picture;
+mod snapshot;
+
+pub use bridges::bridges;
+pub use snapshot::{Crack, Snapshot};
 
 pub use super::outline::{Carrier, Corner, Place, Source, Why};
 
@@ -14,10 +22,12 @@ use super::outline::Given;
 use crate::{
     clip::line::{Border, Outcode, Point, Window},
     math::{Arithmetic, Tally},
+    replay::{Budget, Player},
     trace::{NoTrace, Tracer},
 };
 use forms::{Exact, Form, Taught};
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// In which order the sides cut. The covered set is the same, bridging edges may differ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -209,6 +219,14 @@ pub fn clip_into(polygon: &[Point], window: &Window, buffers: &mut Buffers, out:
     let mut form = Exact::new(Given { points: polygon, window }, &mut tally);
     run(&mut form, cutting, buffers, &mut NoTrace);
     out.extend(buffers.polygon.iter().map(|corner| corner.at));
+}
+
+/// [`clip_traced`] as a run that can be scrubbed.
+pub fn play(polygons: &[Vec<Point>], window: Window, settings: Settings, budget: Budget) -> Player<Snapshot> {
+    let polygons: Arc<[Vec<Point>]> = polygons.into();
+    Player::new(Snapshot::new(polygons.clone(), window, settings), budget, move |t| {
+        clip_traced(&polygons, &window, settings, &mut Tally::default(), t);
+    })
 }
 
 /// Beyond which borders some, and beyond which every corner lies.

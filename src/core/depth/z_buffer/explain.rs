@@ -4,7 +4,9 @@ use super::{Event, Snapshot, snapshot::Fragment};
 use crate::{
     compare::Fact,
     depth::{CompareFunction, DepthFormat},
-    explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Piece, Role, Row, Table, View},
+    explain::{
+        Explain, Formula, Label, Level, MOST_PIXELS, Mark, Marker, Operations, Piece, Role, Row, Table, View,
+    },
     message::{Message, Value},
     raster::view::view_of,
 };
@@ -14,6 +16,8 @@ const SHOWS_CLEAR: usize = 1024;
 /// What a pixel held, what comes to it, what it holds then: message ids.
 const ROWS: [&str; 3] = ["row-before", "row-arrives", "row-after"];
 
+/// Of more triangles only the last ones are counted one by one.
+const MOST_COUNTS: usize = 4096;
 /// Of more triangles only the one being drawn has an outline: the others would hide the image.
 const MOST_OUTLINES: usize = 64;
 
@@ -122,7 +126,8 @@ impl Explain for Snapshot {
             ];
             out.push(Table { title: "z-buffer-bits", columns: vec!["column-bits"], rows });
         }
-        let rows = self.counts.iter().zip(0..).map(|([passed, failed], index)| {
+        let first = self.counts.len().saturating_sub(MOST_COUNTS);
+        let rows = self.counts.iter().zip(0..).skip(first).map(|([passed, failed], index)| {
             let name = &self.names[index as usize].text;
             Row::new(name, vec![(passed + failed).into(), (*passed).into(), (*failed).into()])
                 .active(self.triangle == Some(index))
@@ -279,6 +284,15 @@ impl Snapshot {
     /// What every pixel holds; a tick or a cross where the triangle was tested.
     fn mark_cells(&self, out: &mut Vec<Mark>) {
         let [width, height] = self.settings.raster.size;
+        if self.image.shown() > MOST_PIXELS {
+            for y in 0..height {
+                self.mark_runs(y, width, out);
+            }
+            // Of the triangle's verdicts only those of the row in hand.
+            let here = self.verdicts.iter().filter(|([_, y], _)| u32::from(*y) == self.y);
+            out.extend(here.map(|([x, y], passed)| self.verdict_cell([*x, *y], *passed)));
+            return;
+        }
         let shows_clear = self.image.depth.codes().len() <= SHOWS_CLEAR;
         for y in 0..height {
             for x in 0..width {
@@ -288,9 +302,25 @@ impl Snapshot {
                 }
             }
         }
-        for &([x, y], passed) in &self.verdicts {
-            let role = if passed { Role::Accepted } else { Role::Rejected };
-            out.push(self.cell([x, y].map(u32::from), role));
+        out.extend(self.verdicts.iter().map(|(pixel, passed)| self.verdict_cell(*pixel, *passed)));
+    }
+
+    fn verdict_cell(&self, pixel: [u16; 2], passed: bool) -> Mark {
+        self.cell(pixel.map(u32::from), if passed { Role::Accepted } else { Role::Rejected })
+    }
+
+    /// The objects that a row shows.
+    fn mark_runs(&self, y: u32, width: u32, out: &mut Vec<Mark>) {
+        let object = |x| self.image.owner([x, y]).map(|owner| self.names[owner as usize].object);
+        let mut begin = 0;
+        while begin < width {
+            let shown = object(begin);
+            let end = (begin + 1..width).find(|x| object(*x) != shown).unwrap_or(width);
+            if shown.is_some() {
+                let [y, begin, end] = [y, begin, end].map(|n| n as i32);
+                out.push(Mark::Run { y, begin, end, role: Role::Neutral, object: shown });
+            }
+            begin = end;
         }
     }
 }

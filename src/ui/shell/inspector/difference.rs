@@ -20,7 +20,7 @@ use rasterscope_core::{
 };
 use rasterscope_figure::{
     numbers,
-    split::stroke,
+    split::{Kind, stroke},
     tables::{TextCell, TextRow, TextTable},
 };
 
@@ -76,16 +76,18 @@ fn headline(ui: &mut Ui, face: &Face<'_>, pair: &Pair) {
 /// What the outlines mean, with counts.
 fn legend(ui: &mut Ui, face: &Face<'_>, pair: &Pair) {
     let difference = pair.difference();
+    let numbers_only = difference.in_numbers_only();
     let kinds = [
-        ("ui-difference-changed", difference.changed.len(), false),
-        ("ui-difference-only-a", difference.only_a.len(), true),
-        ("ui-difference-only-b", difference.only_b.len(), true),
+        ("ui-difference-changed", difference.changed.len() - numbers_only, Kind::Changed),
+        ("ui-difference-only-a", difference.only_a.len(), Kind::OneSide),
+        ("ui-difference-only-b", difference.only_b.len(), Kind::OneSide),
+        ("ui-difference-number", numbers_only, Kind::Number),
     ];
-    for (name, count, one_side) in kinds.into_iter().filter(|(_, count, _)| *count > 0) {
+    for (name, count, kind) in kinds.into_iter().filter(|(_, count, _)| *count > 0) {
         let (rect, _) =
             ui.allocate_exact_size(vec2(ui.available_width(), face.look.row_height() + 3.0), Sense::hover());
         let box_ = Rect::from_center_size(pos2(rect.left() + 9.0, rect.center().y), vec2(17.0, 17.0));
-        swatch(ui, face, box_, one_side);
+        swatch(ui, face, box_, kind);
         let room = rect.with_min_x(rect.left() + 29.0);
         let (font, strong) = (face.look.font(Text::Body), face.look.font(Text::Strong));
         text_in(ui.painter(), room, Align2::LEFT_CENTER, &face.say(name), font, face.look.text);
@@ -100,8 +102,8 @@ fn legend(ui: &mut Ui, face: &Face<'_>, pair: &Pair) {
 }
 
 /// The outline as on the canvas.
-fn swatch(ui: &Ui, face: &Face<'_>, rect: Rect, one_side: bool) {
-    let style = stroke(face.look.theme, one_side);
+fn swatch(ui: &Ui, face: &Face<'_>, rect: Rect, kind: Kind) {
+    let style = stroke(face.look.theme, kind);
     let line = Stroke::new(style.width, face.look.role(Role::Changed));
     if style.dash.is_empty() {
         ui.painter().rect_stroke(rect, 0, line, StrokeKind::Middle);
@@ -241,7 +243,7 @@ fn list(ui: &mut Ui, face: &Face<'_>, pair: &Pair, chosen: Option<&Fact>, view: 
             }
             let room = rect.shrink2(vec2(16.0, 0.0));
             let third = room.width() / 3.0;
-            let font = look.font(Text::Mono);
+            let font = look.font(Text::SmallMono);
             text_in(ui.painter(), room, Align2::LEFT_CENTER, &name, font.clone(), look.text);
             for (i, value) in values.iter().enumerate() {
                 let right = room.left() + third * (i as f32 + 2.0);
@@ -277,13 +279,23 @@ fn short(face: &Face<'_>, fact: &Fact) -> String {
     }
 }
 
-/// The first value that differs, as one side has it.
+/// The first value that differs, as one side has it; of what only one side has, all values.
 fn brief(face: &Face<'_>, side: Option<&Fact>, part: Part<'_>) -> String {
     let Some(fact) = side else { return numbers::UNDEFINED.to_owned() };
-    let differs = |(_, [a, b]): &(&str, [Option<&Value>; 2])| match (a, b) {
-        (Some(a), Some(b)) => !equal(a, b),
-        _ => true,
+    let values = part.values();
+    let first = match (part.a, part.b) {
+        (Some(_), Some(_)) => values.iter().position(|(_, [a, b])| match (a, b) {
+            (Some(a), Some(b)) => !equal(a, b),
+            _ => true,
+        }),
+        _ => None,
     };
-    let first = part.values().iter().position(differs).unwrap_or(0);
-    fact.values.get(first).map_or_else(|| face.say("ui-part-there"), |(_, value)| face.words.value(value))
+    match first.and_then(|first| fact.values.get(first)) {
+        Some((_, value)) => face.words.value(value),
+        None if fact.values.is_empty() => face.say("ui-part-there"),
+        None => {
+            let all: Vec<_> = fact.values.iter().map(|(_, value)| face.words.value(value)).collect();
+            all.join(", ")
+        }
+    }
 }

@@ -56,7 +56,9 @@ fn role_of(mark: &mut Mark) -> Option<(&mut Role, u8)> {
         Mark::Polygon { role, .. } => Some((role, 2)),
         Mark::Pixel { role, .. } => Some((role, 3)),
         Mark::Guide { role, .. } => Some((role, 4)),
-        Mark::Span { .. } | Mark::Text { .. } | Mark::Image { .. } => None,
+        Mark::Run { .. } | Mark::Span { .. } | Mark::Text { .. } | Mark::Image { .. } | Mark::Space(_) => {
+            None
+        }
     }
 }
 

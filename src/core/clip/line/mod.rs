@@ -81,7 +81,7 @@ impl Window {
     pub fn at(&self, border: Border) -> f32 {
         // Without a jump, which a processor could not foresee: an upper border is an even one.
         let [min, max] = self.sides(border.axis());
-        if border as u8 % 2 == 0 { max } else { min }
+        if (border as u8).is_multiple_of(2) { max } else { min }
     }
 
     /// Minimum and maximum of x (axis 0) or y (axis 1).

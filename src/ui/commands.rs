@@ -7,13 +7,13 @@ use crate::{
     files,
     opening::When,
     platform::{Platform, Purpose},
+    recent,
     shell::notice::Notice,
     theme::Look,
 };
 use egui::Context;
 use rasterscope_core::{
     compare::Setting,
-    labs as core_labs,
     message::{Message, Value},
     scene,
 };
@@ -52,7 +52,10 @@ impl App {
                 self.wear(ctx, ThemeName::ALL[(at + 1) % ThemeName::ALL.len()]);
             }
             Command::Theme(theme) => self.wear(ctx, theme),
-            Command::TextSize(size) => ctx.set_zoom_factor(size),
+            Command::TextSize(size) => {
+                ctx.set_zoom_factor(size);
+                self.notice.take_if(|notice| *notice == Notice::Large);
+            }
             Command::Bigger => resize(ctx, 1),
             Command::Smaller => resize(ctx, -1),
             Command::Palette => self.view.palette = self.view.palette.is_none().then(Palette::default),
@@ -66,15 +69,20 @@ impl App {
             Command::Explain(side) => self.run.explain(side),
             Command::Keys => self.view.keys = !self.view.keys,
             Command::Choices => self.view.choices = !self.view.choices,
+            Command::Hints => self.view.aids.hints = !self.view.aids.hints,
+            Command::Exact => self.view.aids.exact = !self.view.aids.exact,
+            Command::Still => self.view.aids.still = !self.view.aids.still,
             Command::Fit => {
                 self.canvas.fit();
                 self.view.orbit = None;
                 self.view.outside = None;
             }
             Command::Escape => self.escape(ctx),
-            Command::Stage(stage) => {
-                let lab = core_labs::ALL.iter().find(|lab| lab.stage == stage);
-                self.open_lab(lab.map_or("pipeline", |lab| lab.name));
+            Command::Stage(stage) => self.open_lab(self.view.recent.at(stage).unwrap_or("pipeline")),
+            Command::Lab(name) => self.open_lab(name),
+            Command::Beside(by) => {
+                let next = recent::beside(self.labs[self.lab()].name(), by);
+                next.into_iter().for_each(|name| self.open_lab(name));
             }
             Command::Preset(name) => self.open_preset(name),
             Command::Open(path) => self.open(ctx, &path, When::Later, platform),

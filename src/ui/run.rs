@@ -26,6 +26,8 @@ pub(crate) struct Shown {
     pub(crate) view: View,
     pub(crate) vantage: Option<Vantage>,
     pub(crate) markers: Vec<(usize, Marker)>,
+    /// The names below the markers.
+    pub(crate) captions: Vec<(usize, Message)>,
     /// What the side costs up to the cursor, and as a whole; counted only where two are compared.
     pub(crate) operations: Option<[Operations; 2]>,
     /// Moves whenever anything above may have changed; differs between the sides.
@@ -200,15 +202,19 @@ impl Run {
         self.rev += 2;
         match playing {
             Playing::One(run) => {
-                let markers = old_a.map_or_else(|| run.markers(), |old| old.markers);
-                self.shown[0] = Some(shown(run.as_mut(), [cursor, len], markers, None, rev));
+                let marks =
+                    old_a.map_or_else(|| (run.markers(), run.captions()), |old| (old.markers, old.captions));
+                self.shown[0] = Some(shown(run.as_mut(), [cursor, len], marks, None, rev));
             }
             Playing::Two(pair) => {
                 for (side, old) in Side::ALL.into_iter().zip([old_a, old_b]) {
-                    let markers = old.map_or_else(|| pair.markers(side), |old| old.markers);
+                    let marks = old.map_or_else(
+                        || (pair.markers(side), pair.captions(side)),
+                        |old| (old.markers, old.captions),
+                    );
                     let operations = Some(pair.run(side).operations());
                     let rev = rev + side as u64;
-                    let shown = shown(pair.run_mut(side), [cursor, len], markers, operations, rev);
+                    let shown = shown(pair.run_mut(side), [cursor, len], marks, operations, rev);
                     self.shown[side as usize] = Some(shown);
                 }
             }
@@ -219,7 +225,7 @@ impl Run {
 fn shown(
     run: &mut dyn Playback,
     [cursor, len]: [usize; 2],
-    markers: Vec<(usize, Marker)>,
+    (markers, captions): (Vec<(usize, Marker)>, Vec<(usize, Message)>),
     operations: Option<[Operations; 2]>,
     rev: u64,
 ) -> Shown {
@@ -237,6 +243,7 @@ fn shown(
         view: run.view(),
         vantage: run.vantage(),
         markers,
+        captions,
         operations,
         rev,
     }

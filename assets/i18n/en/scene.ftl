@@ -44,7 +44,7 @@ error-scene-window-reversed = { $path }: the window is [xmin, ymin, xmax, ymax],
 error-scene-none-there = { $path }: there is none to choose from. Add one, or remove the lab.
 error-scene-no-setting = { $path }: name the one setting in which the two sides differ, such as {"{"}"fill_rule": "inclusive"{"}"}.
 error-scene-no-file-name = { $path }: this is no file name. Write the name of an OBJ file, such as "cube.obj".
-error-scene-draw-out-of-range = { $path }: its vertices leave the range of 32-bit floats (about 3.4e38) when transformed. Scale it down.
+error-scene-draw-out-of-range = { $path }: the vertices of { $name } leave the range of 32-bit floats (about 3.4e38) when transformed. Scale it down.
 error-scene-camera-out-of-range = { $path }: its matrices leave the range of 32-bit floats (about 3.4e38). Move it nearer, or make near, far, height and angle less extreme.
 error-scene-other = { $path }: this value cannot be used ({ $what }).
 error-scene-unreadable = { $path }: the model { $file } cannot be read ({ $reason }). Put it beside the scene or name a model that comes with the program.
@@ -324,3 +324,45 @@ preset-facing-edge-on = All six values are exactly 0. Some lectures call that a 
 
 preset-facing-collinear-name = No area at all
 preset-facing-collinear = The three vertices lie on one line. All tests give 0, and the reason has a name.
+
+preset-facing-rounded-name = Rounded to the other side
+preset-facing-rounded = Nearly edge-on: in binary32 the determinant itself sees the wrong side. In exact arithmetic only what was rounded on the way differs.
+
+preset-frustum-beside-name = Beside and behind
+preset-frustum-beside = B stands beside the frustum and C behind the eye. One plane each is enough to leave out all of their triangles.
+
+preset-frustum-straddles-name = A box across a plane
+preset-frustum-straddles = The box reaches to both sides of the right plane. So its triangles are tested one by one, and some fall.
+
+preset-frustum-long-object-name = Long object: sphere too large
+preset-frustum-long-object = The sphere around a long object reaches into the frustum. The box does not: choose it and A is culled.
+
+preset-frustum-corner-name = Outside, but of no single plane
+preset-frustum-corner = A stands beside an edge of the frustum. No plane has all of it outside, so it is kept, and the clipper finds nothing.
+
+preset-frustum-all-inside-name = All inside
+preset-frustum-all-inside = Both spheres lie inside all six planes. None of nearly two thousand triangles needs a test or a cut.
+
+preset-frustum-behind-the-eye-name = Too near and too far
+preset-frustum-behind-the-eye = One ball is behind the eye and one reaches through the far plane. Depth culls like any other direction.
+
+preset-tree-of-eight-name = Eight objects
+preset-tree-of-eight = Objects that stand together fall together: one test rejects three of them.
+
+preset-tree-of-a-hundred-name = A hundred objects
+preset-tree-of-a-hundred = A camera sees a part of a field. The tree accepts and rejects whole regions of it.
+
+preset-tree-of-clusters-name = Clusters, by surface area
+preset-tree-of-clusters = Where objects stand in clusters, splitting by surface area puts each cluster into a node. Compare with the median.
+
+preset-tree-of-triangles-name = Triangles of one model
+preset-tree-of-triangles = A ball crosses the right plane. A tree of its triangles finds the part outside without testing each.
+
+preset-tree-all-outside-name = Everything outside
+preset-tree-all-outside = All objects stand to the right. The root alone is tested, and the picture is empty.
+
+preset-tree-all-inside-name = Everything inside
+preset-tree-all-inside = The root lies inside all planes: six tests for all objects.
+
+preset-two-sides-mistake-name = Split: a mistake
+preset-two-sides-mistake = Left all four sides cut; right only the left and the bottom one, as beginners often leave it. What sticks out is outlined.

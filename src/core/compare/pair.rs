@@ -164,7 +164,15 @@ impl Pair {
 
     /// Marks of the timeline of a side, at common steps, in order.
     pub fn markers(&self, side: Side) -> Vec<(usize, Marker)> {
-        let own = self.run(side).markers().into_iter();
-        own.map(|(step, marker)| (self.alignment.step_of(side as usize, step), marker)).collect()
+        self.placed(side, self.run(side).markers())
+    }
+
+    /// The names below the marks of a side, at common steps, in order.
+    pub fn captions(&self, side: Side) -> Vec<(usize, Message)> {
+        self.placed(side, self.run(side).captions())
+    }
+
+    fn placed<T>(&self, side: Side, own: Vec<(usize, T)>) -> Vec<(usize, T)> {
+        own.into_iter().map(|(step, what)| (self.step_of(side, step), what)).collect()
     }
 }

@@ -1,5 +1,6 @@
 //! The one thing in which two sides differ.
 
+use super::Choice;
 use crate::{
     cull::{CullMode, FrontFace},
     depth::{CompareFunction, DepthFormat},
@@ -33,6 +34,8 @@ pub enum Setting {
     Cull(CullMode),
     /// Which turning sense is the front, for all draws.
     Front(FrontFace),
+    /// An input of the lab that is a choice among a few values.
+    Choice(Choice),
 }
 
 /// Everything that a scene's lab can be compared with: each alternative to what it has.
@@ -99,7 +102,9 @@ impl Setting {
             Self::Reversed(_) => Self::Reversed(scene.reversed),
             Self::Cull(_) => Self::Cull(scene.draws.first()?.cull),
             Self::Front(_) => Self::Front(scene.draws.first()?.front),
-            Self::Algorithm(_) | Self::Arithmetic(_) => return scene.lab.as_ref()?.input.setting(self),
+            Self::Algorithm(_) | Self::Arithmetic(_) | Self::Choice(_) => {
+                return scene.lab.as_ref()?.input.setting(self);
+            }
         })
     }
 
@@ -121,7 +126,7 @@ impl Setting {
             Self::Cull(cull) => draws.for_each(|draw| draw.cull = cull),
             Self::Front(front) => draws.for_each(|draw| draw.front = front),
             // Inputs of the lab.
-            Self::Algorithm(_) | Self::Arithmetic(_) => {}
+            Self::Algorithm(_) | Self::Arithmetic(_) | Self::Choice(_) => {}
         }
     }
 
@@ -170,6 +175,7 @@ impl Setting {
             Self::Reversed(_) => "compare-reversed",
             Self::Cull(_) => "compare-cull",
             Self::Front(_) => "compare-front",
+            Self::Choice(choice) => choice.heading,
         }
     }
 
@@ -187,6 +193,7 @@ impl Setting {
             Self::Reversed(true) => Value::Word("compare-is-reversed"),
             Self::Cull(cull) => Value::Word(cull.word()),
             Self::Front(front) => Value::Word(front.word()),
+            Self::Choice(choice) => Value::Word(choice.word),
         }
     }
 
@@ -203,6 +210,7 @@ impl Setting {
             Self::Reversed(_) => "reversed",
             Self::Cull(_) => "cull",
             Self::Front(_) => "front",
+            Self::Choice(choice) => choice.field,
         }
     }
 
@@ -219,6 +227,7 @@ impl Setting {
             Self::Reversed(reversed) => ["false", "true"][usize::from(reversed)],
             Self::Cull(cull) => cull.name(),
             Self::Front(front) => front.name(),
+            Self::Choice(choice) => choice.json,
         }
     }
 

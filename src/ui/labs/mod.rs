@@ -4,10 +4,12 @@
 //! inspector and painting are the shell's, the same for all.
 
 mod back_face;
+mod bvh;
 mod clip_line;
 mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
+mod frustum_culling;
 mod liang_barsky;
 mod objects;
 mod pipeline;
@@ -128,6 +130,8 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(pipeline::Pipeline),
         Box::new(transform::Transform),
         Box::new(back_face::BackFace),
+        Box::new(frustum_culling::FrustumCulling),
+        Box::new(bvh::Bvh),
         Box::new(cohen_sutherland::LAB),
         Box::new(liang_barsky::LAB),
         Box::new(clip_triangle::ClipTriangle),

@@ -1,6 +1,7 @@
 //! The canvas: the drawing of the step, handles to drag, zoom, pan, and the readout.
 
 use super::{
+    halo,
     handles::{self, Plane},
     outside::{self, Outside},
     readout::readout,
@@ -192,8 +193,17 @@ impl Canvas {
         let Some(placement) = self.placement else { return };
         let plane = Plane { rect, placement, y_up: drawing.view.y_up };
         let shown = self.move_handles(ui, &plane, &handles, camera.map(|camera| (camera, &solid[..])), open);
+        let flat = !overview && camera.is_none();
+        let on =
+            ui.ctx().pointer_hover_pos().filter(|at| flat && rect.contains(*at) && ui.ui_contains_pointer());
+        let thing = on.and_then(|at| halo::pointed(&plane, drawing.marks, drawing.view, at));
+        thing.into_iter().for_each(|thing| face.links.point_at(thing));
+        halo::under(ui.painter(), face, &plane, drawing.marks);
         let figure = self.figure(drawing, camera, placement, rect.size(), face);
         paint::figure(ui.painter(), textures, rect.min, figure);
+        if on.is_none() {
+            halo::over(ui.painter(), face, &plane, drawing.view);
+        }
         for (response, handle) in &shown {
             handles::paint(ui, face, response, plane.place(handle.at), handle.kind);
         }

@@ -14,9 +14,6 @@ use egui::{
 use rasterscope_core::compare::{Setting, Side};
 use rasterscope_figure::split::counts;
 
-/// From this width on a header says what the setting is called.
-const NAMED: f32 = 400.0;
-
 /// The setting in which two sides differ, in words.
 #[derive(Clone, Debug)]
 pub(crate) struct Sides {
@@ -58,21 +55,30 @@ pub(crate) fn header(
         look.font(Text::Strong),
         look.text,
     );
-    let mut x = letter.right() + 10.0;
-    if rect.width() >= NAMED {
-        let galley = ui.painter().layout_no_wrap(sides.name.clone(), look.font(Text::Body), look.dim);
-        let end = x + galley.size().x + 10.0;
-        ui.painter().galley(pos2(x, middle - galley.size().y / 2.0), galley, look.dim);
-        x = end;
-    }
+    let lay_out =
+        |text: &str, style, color| ui.painter().layout_no_wrap(text.to_owned(), look.font(style), color);
     let so_far = shown.and_then(|shown| shown.operations).map(|[so_far, _]| so_far);
     let counts = so_far.map_or_else(String::new, |so_far| counts(face.words, so_far));
-    let font = look.font(Text::SmallMono);
-    let galley = ui.painter().layout_no_wrap(counts, font, look.dim);
-    let right = rect.right() - 14.0 - galley.size().x;
-    ui.painter().galley(pos2(right, middle - galley.size().y / 2.0), galley, look.dim);
+    let (name, counts) =
+        (lay_out(&sides.name, Text::Body, look.dim), lay_out(&counts, Text::SmallMono, look.dim));
+    // The value comes first, then what it costs, then what the setting is called.
+    let value = (lay_out(sides.value(side), Text::Label, look.text).size().x + 44.0).max(96.0);
+    let room = rect.right() - 14.0 - letter.right() - 10.0;
+    let counted = value + 12.0 + counts.size().x <= room;
+    let named = value + 10.0 + name.size().x + if counted { 12.0 + counts.size().x } else { 0.0 } <= room;
+    let mut x = letter.right() + 10.0;
+    let mut right = rect.right() - 2.0;
+    if named {
+        let end = x + name.size().x + 10.0;
+        ui.painter().galley(pos2(x, middle - name.size().y / 2.0), name, look.dim);
+        x = end;
+    }
+    if counted {
+        right = rect.right() - 14.0 - counts.size().x;
+        ui.painter().galley(pos2(right, middle - counts.size().y / 2.0), counts, look.dim);
+    }
     let height = look.button_height();
-    let width = (right - 12.0 - x).min(170.0);
+    let width = (right - 12.0 - x).min(value.max(150.0));
     let place = Rect::from_min_size(pos2(x, middle - height / 2.0), vec2(width, height));
     ui.scope_builder(UiBuilder::new().id_salt(("setting", side.name())).max_rect(place), |ui| {
         let mut chosen = sides.own[side as usize];

@@ -4,7 +4,7 @@ use super::{Degeneracy, Event, Input, Numbers, Outcome, Test, Why, formulas, pic
 use crate::{
     compare::Fact,
     cull::Facing,
-    explain::{Explain, Formula, Level, Mark, Marker, Operations, Role, Row, Table, View},
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, Role, Row, Table, Vantage, View},
     message::{Message, Value},
     replay::State,
 };
@@ -281,6 +281,7 @@ impl Explain for Snapshot {
         let columns = vec!["s", "column-back-face-answer", "column-back-face-against-determinant"];
         out.push(Table { title: "back-face-tests", columns, rows: rows.to_vec() });
         out.push(self.vertices(self.now.unwrap_or(Test::Determinant)));
+        out.extend(self.object());
         out.push(self.conventions());
     }
 
@@ -289,7 +290,11 @@ impl Explain for Snapshot {
     }
 
     fn view(&self) -> View {
-        picture::view(self)
+        View::SPACE
+    }
+
+    fn vantage(&self) -> Option<Vantage> {
+        Some(picture::vantage(self))
     }
 
     fn facts(&self, out: &mut Vec<Fact>) {
@@ -359,6 +364,22 @@ impl Snapshot {
         };
         rows.extend(eye.map(|[x, y, z, _]| Row::new("e", of(&[x, y, z]))));
         Table { title, columns, rows }
+    }
+
+    /// How the triangles of the whole object stand to the eye, if it has several.
+    fn object(&self) -> Option<Table> {
+        let object = &self.input.object;
+        let count = |facing: Facing| object.iter().filter(|(_, of)| *of == facing).count();
+        let row = |name, facing| Row::new(name, vec![count(facing).into()]);
+        (object.len() > 1).then(|| Table {
+            title: "back-face-object",
+            columns: vec!["column-back-face-triangles"],
+            rows: vec![
+                row("row-back-face-of-front", Facing::Front),
+                row("row-back-face-of-back", Facing::Back),
+                row("row-back-face-of-none", Facing::Degenerate),
+            ],
+        })
     }
 
     fn conventions(&self) -> Table {

@@ -149,7 +149,8 @@ fn counts(face: &Face<'_>, pair: &Pair) -> TextTable {
         }
     });
     let columns = Side::ALL.map(|side| side.name().to_owned()).to_vec();
-    TextTable { title: face.say("ui-difference-counts"), columns, rows: rows.collect() }
+    let meanings = Vec::new(); // every word says itself
+    TextTable { title: face.say("ui-difference-counts"), columns, meanings, rows: rows.collect() }
 }
 
 /// What a part is called.
@@ -171,6 +172,17 @@ fn written(face: &Face<'_>, value: Option<&Value>) -> String {
     value.map_or_else(|| numbers::UNDEFINED.to_owned(), |value| face.words.value(value))
 }
 
+/// As many digits as tell a number from its neighbours.
+fn every_digit(value: Option<&Value>) -> String {
+    let text = match value {
+        Some(Value::F32(x)) => x.to_string(),
+        Some(Value::F64(x)) => x.to_string(),
+        Some(other) => numbers::short(other),
+        None => numbers::UNDEFINED.to_owned(),
+    };
+    text.replace('-', &numbers::MINUS.to_string())
+}
+
 /// One part on both sides.
 fn explain(ui: &mut Ui, face: &Face<'_>, sides: &Sides, part: Part<'_>, of: &Fact) {
     let rows = part.values().into_iter().map(|(name, [a, b])| {
@@ -178,16 +190,25 @@ fn explain(ui: &mut Ui, face: &Face<'_>, sides: &Sides, part: Part<'_>, of: &Fac
             (Some(a), Some(b)) => !equal(a, b),
             _ => true,
         };
-        let cell = |value: Option<&Value>, changed| TextCell {
-            text: written(face, value),
+        let texts = [a, b].map(|value| written(face, value));
+        // What differs must not look the same.
+        let texts = if changed && texts[0] == texts[1] { [a, b].map(every_digit) } else { texts };
+        let [text_a, text_b] = texts;
+        let cell = |text: String, value: Option<&Value>, changed| TextCell {
+            text,
             exact: value.map_or_else(String::new, numbers::exact),
             changed,
         };
         let name = if name.starts_with("column-") { face.say(name) } else { name.to_owned() };
-        TextRow { name, cells: vec![cell(a, false), cell(b, changed)], active: false, role: None }
+        TextRow {
+            name,
+            cells: vec![cell(text_a, a, false), cell(text_b, b, changed)],
+            active: false,
+            role: None,
+        }
     });
     let columns = Side::ALL.map(|side| side.name().to_owned()).to_vec();
-    let one = TextTable { title: title(face, of), columns, rows: rows.collect() };
+    let one = TextTable { title: title(face, of), columns, meanings: Vec::new(), rows: rows.collect() };
     if one.rows.is_empty() {
         inset(ui, |ui| {
             ui.add_space(8.0);

@@ -284,7 +284,7 @@ preset-frustum-behind-the-eye-name = Too near and too far
 preset-frustum-behind-the-eye = One ball is behind the eye and one reaches through the far plane. Depth culls like any other direction.
 
 preset-tree-of-eight-name = Eight objects
-preset-tree-of-eight = Objects that stand together fall together: one test rejects three of them.
+preset-tree-of-eight = Objects that stand together fall together: one node stands for all four at the right.
 
 preset-tree-of-a-hundred-name = A hundred objects
 preset-tree-of-a-hundred = A camera sees a part of a field. The tree accepts and rejects whole regions of it.

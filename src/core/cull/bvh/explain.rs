@@ -21,6 +21,8 @@ pub struct Input {
     pub boxes: Arc<[Aabb]>,
     /// Their names.
     pub names: Arc<[String]>,
+    /// The triangles that the boxes are around, to be drawn; empty if they are around objects.
+    pub triangles: Arc<[[[f32; 3]; 3]]>,
     /// How the tree is built.
     pub split: Split,
     /// The frustum in world space.

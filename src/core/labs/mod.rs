@@ -8,16 +8,22 @@
 mod back_face;
 mod bvh;
 mod clip_line;
+mod clip_polygon;
+mod clip_triangle;
 mod frustum_culling;
+mod lectures;
 mod pipeline;
 mod scanline;
 mod transform;
 mod z_buffer;
 
+pub use self::lectures::Topic;
 pub use self::{
     back_face::BackFace,
     bvh::{Bvh, Over},
     clip_line::ClipLine,
+    clip_polygon::ClipPolygon,
+    clip_triangle::ClipTriangle,
     frustum_culling::FrustumCulling,
     pipeline::Pipeline,
     scanline::Scanline,
@@ -87,6 +93,8 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<Bvh>("bvh", Stage::Cull),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
+    LabInfo::new::<ClipTriangle>("clip-triangle", Stage::Clip),
+    LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
 ];
@@ -165,6 +173,14 @@ macro_rules! families {
                 match self { $(Self::$family(input) => input.is_of_scene(),)* }
             }
 
+            /// The same input for another lab of its family; `None`: that lab has other inputs.
+            pub fn carried(&self, name: &'static str) -> Option<Self> {
+                match self { $(Self::$family(input) => {
+                    let carried = input.clone().named(name);
+                    (carried.name() == name).then(|| carried.into())
+                })* }
+            }
+
             pub(crate) fn check(&self, scene: &Scene) -> Checked {
                 match self { $(Self::$family(input) => input.check(scene),)* }
             }
@@ -202,6 +218,8 @@ macro_rules! families {
 families! {
     /// A line against a window.
     ClipLine
+    /// Polygons against a window.
+    ClipPolygon
     /// One triangle, row by row.
     Scanline
     /// Triangles, fragment by fragment.
@@ -210,6 +228,8 @@ families! {
     Transform
     /// One triangle: does the eye see its back?
     BackFace
+    /// One triangle against the planes of the frustum.
+    ClipTriangle
     /// Objects against the frustum.
     FrustumCulling
     /// A tree of boxes against the frustum.

@@ -6,6 +6,8 @@
 mod back_face;
 mod bvh;
 mod clip_line;
+mod clip_polygon;
+mod clip_triangle;
 mod cohen_sutherland;
 mod frustum_culling;
 mod liang_barsky;
@@ -13,7 +15,9 @@ mod objects;
 mod pipeline;
 mod placing;
 mod scanline;
+mod sutherland_hodgman;
 mod transform;
+mod window;
 mod z_buffer;
 
 use crate::{
@@ -130,6 +134,8 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(bvh::Bvh),
         Box::new(cohen_sutherland::LAB),
         Box::new(liang_barsky::LAB),
+        Box::new(clip_triangle::ClipTriangle),
+        Box::new(sutherland_hodgman::LAB),
         Box::new(scanline::Scanline),
         Box::new(z_buffer::ZBuffer),
     ]

@@ -337,7 +337,7 @@ preset-frustum-straddles = The box reaches to both sides of the right plane. So 
 preset-frustum-long-object-name = Long object: sphere too large
 preset-frustum-long-object = The sphere around a long object reaches into the frustum. The box does not: choose it and A is culled.
 
-preset-frustum-corner-name = Outside, but of no single plane
+preset-frustum-corner-name = Outside of no single plane
 preset-frustum-corner = A stands beside an edge of the frustum. No plane has all of it outside, so it is kept, and the clipper finds nothing.
 
 preset-frustum-all-inside-name = All inside

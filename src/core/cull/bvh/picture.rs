@@ -2,7 +2,7 @@
 
 use super::{
     Aabb, Event, Snapshot,
-    explain::{Fate, node_name},
+    nodes::{Fate, node_name},
 };
 use crate::explain::{Label, Mark, Role, Solid, Vantage, box_corners};
 

@@ -72,7 +72,8 @@ fn check_image_laws(name: &str, scene: &Scene) {
     }
     // Nor what stands for an object in the frustum.
     for bounding in Bounding::ALL {
-        let mut pipeline = Pipeline { bounding, ..Pipeline::new(Algorithm::Scanline) };
+        let mut pipeline = Pipeline::new(Algorithm::Scanline);
+        pipeline.bounding = bounding;
         let frame = &pipeline.update(scene, &Skips::ALL).frame;
         assert!(frame.same_image(&expected), "{name}: {bounding:?} changes the image");
     }
@@ -358,7 +359,8 @@ fn no_body_around_an_object_hides_what_is_seen() {
         }
         let expected = render(&scene, &Skips::NONE);
         for (bounding, skipped) in Bounding::ALL.into_iter().zip(&mut skipped) {
-            let mut pipeline = Pipeline { bounding, ..Pipeline::new(Algorithm::Scanline) };
+            let mut pipeline = Pipeline::new(Algorithm::Scanline);
+            pipeline.bounding = bounding;
             let frame = &pipeline.update(&scene, &Skips::ALL).frame;
             assert!(frame.same_image(&expected), "scene {round}: {bounding:?} changes the image");
             *skipped += frame.stats.skipped(Skip::ObjectFrustum);

@@ -28,13 +28,14 @@ impl Lab for ClipTriangle {
     fn controls(&self, ui: &mut Ui, face: &Face<'_>, document: &mut Document, view: &mut ViewState) {
         let LabInput::ClipTriangle(mut input) = *document.input() else { return };
         heading(ui, face, &face.say("ui-conventions"));
-        let spaces = [(Space::Clip, face.say("ui-space-clip")), (Space::Camera, face.say("ui-space-camera"))];
+        let spaces =
+            [(Space::Clip, face.say("word-space-clip")), (Space::Camera, face.say("word-space-camera"))];
         choices::choose(ui, face, "ui-space", &mut input.space, &spaces);
         depth_range(ui, face, document);
         planes(ui, face, &mut input);
         let pieces = [
-            (Pieces::Polygon, face.say("ui-pieces-polygon")),
-            (Pieces::Triangles, face.say("ui-pieces-triangles")),
+            (Pieces::Polygon, face.say("word-pieces-polygon")),
+            (Pieces::Triangles, face.say("word-pieces-triangles")),
         ];
         choices::choose(ui, face, "ui-pieces", &mut input.pieces, &pieces);
         let all =
@@ -43,10 +44,10 @@ impl Lab for ClipTriangle {
         choices::snapping(ui, face, view);
         heading(ui, face, &face.say("ui-mistakes"));
         for (mistake, name, effect) in [
-            (Mistake::DivideFirst, "ui-mistake-divide-first", "ui-effect-divide-first"),
-            (Mistake::NoNearPlane, "ui-mistake-no-near-plane", "ui-effect-no-near-plane"),
-            (Mistake::NoAttributes, "ui-mistake-no-attributes", "ui-effect-no-attributes"),
-            (Mistake::WalkOrder, "ui-mistake-walk-order", "ui-effect-walk-order"),
+            (Mistake::DivideFirst, "mistake-divide-first", "ui-effect-divide-first"),
+            (Mistake::NoNearPlane, "mistake-no-near-plane", "ui-effect-no-near-plane"),
+            (Mistake::NoAttributes, "mistake-no-attributes", "ui-effect-no-attributes"),
+            (Mistake::WalkOrder, "mistake-walk-order", "ui-effect-walk-order"),
         ] {
             let mut on = input.mistake == mistake;
             choices::check(ui, face, name, &mut on);
@@ -115,9 +116,9 @@ impl Lab for ClipTriangle {
 /// Which planes clip; a guard band has a factor.
 fn planes(ui: &mut Ui, face: &Face<'_>, input: &mut labs::ClipTriangle) {
     let all = [
-        (Planes::All, face.say("ui-planes-all")),
-        (Planes::Near, face.say("ui-planes-near")),
-        (Planes::Guard, face.say("ui-planes-guard")),
+        (Planes::All, face.say("word-planes-all")),
+        (Planes::Near, face.say("word-planes-near")),
+        (Planes::Guard, face.say("word-planes-guard")),
     ];
     choices::choose(ui, face, "ui-planes", &mut input.planes, &all);
     if input.planes == Planes::Guard {

@@ -73,3 +73,7 @@ row-clip-triangle-bottom = bottom
 row-clip-triangle-top = top
 row-clip-triangle-near = near
 row-clip-triangle-far = far
+mistake-divide-first-effect = wrong where w ≤ 0
+mistake-no-near-plane-effect = depths leave their range
+mistake-no-attributes-effect = textures break at the cut
+mistake-walk-order-effect = cracks in f32 and f64

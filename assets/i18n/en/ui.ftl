@@ -277,7 +277,3 @@ ui-guard = Factor
 ui-pieces = Result
 ui-vertices-camera = Vertices (camera space)
 ui-vertices-and-plane = Vertices, plane
-ui-effect-divide-first = wrong where w ≤ 0
-ui-effect-no-near-plane = depths leave their range
-ui-effect-no-attributes = textures break at the cut
-ui-effect-walk-order = cracks in f32 and f64

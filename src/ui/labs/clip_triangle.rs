@@ -5,7 +5,6 @@ use crate::{
     document::{Document, ViewState},
     face::Face,
     shell::choices,
-    theme::Text,
     widgets::heading,
 };
 use egui::Ui;
@@ -43,22 +42,18 @@ impl Lab for ClipTriangle {
         choices::choose(ui, face, "ui-arithmetic", &mut input.arithmetic, &all);
         choices::snapping(ui, face, view);
         heading(ui, face, &face.say("ui-mistakes"));
-        for (mistake, name, effect) in [
-            (Mistake::DivideFirst, "mistake-divide-first", "ui-effect-divide-first"),
-            (Mistake::NoNearPlane, "mistake-no-near-plane", "ui-effect-no-near-plane"),
-            (Mistake::NoAttributes, "mistake-no-attributes", "ui-effect-no-attributes"),
-            (Mistake::WalkOrder, "mistake-walk-order", "ui-effect-walk-order"),
+        for (mistake, words) in [
+            (Mistake::DivideFirst, ["mistake-divide-first", "mistake-divide-first-effect"]),
+            (Mistake::NoNearPlane, ["mistake-no-near-plane", "mistake-no-near-plane-effect"]),
+            (Mistake::NoAttributes, ["mistake-no-attributes", "mistake-no-attributes-effect"]),
+            (Mistake::WalkOrder, ["mistake-walk-order", "mistake-walk-order-effect"]),
         ] {
             let mut on = input.mistake == mistake;
-            choices::check(ui, face, name, &mut on);
+            choices::mistake(ui, face, words, &mut on);
             match (on, input.mistake == mistake) {
                 (true, false) => input.mistake = mistake,
                 (false, true) => input.mistake = Mistake::None,
                 _ => {}
-            }
-            if on {
-                let effect = face.rich(face.say(effect), Text::Small);
-                ui.label(effect.color(face.look.role(Role::Rejected)));
             }
         }
         heading(ui, face, &face.say("ui-vertices-camera"));

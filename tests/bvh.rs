@@ -34,7 +34,8 @@ fn field() -> Vec<Aabb> {
 
 fn input(boxes: &[Aabb], split: Split) -> Input {
     let names = (0..boxes.len()).map(|i| i.to_string()).collect();
-    Input { boxes: boxes.into(), names, split, frustum: frustum(), corners: None }
+    let triangles = [].into();
+    Input { boxes: boxes.into(), names, triangles, split, frustum: frustum(), corners: None }
 }
 
 fn run(boxes: &[Aabb], split: Split) -> (Found, Vec<Event>) {

@@ -184,7 +184,7 @@ fn solid(stroke: &Stroke) -> egui::Stroke {
 
 /// A filled polygon by the even-odd rule; egui's own shape is right for convex ones only.
 fn fill_shape(points: Vec<Pos2>, color: Color32) -> egui::Shape {
-    if convex(&points) {
+    if convex(&points) && !thin(&points) {
         return egui::Shape::convex_polygon(points, color, egui::Stroke::NONE);
     }
     let mut mesh = Mesh::default();
@@ -196,6 +196,15 @@ fn fill_shape(points: Vec<Pos2>, color: Color32) -> egui::Shape {
         mesh.add_triangle(first, first + 2, first + 3);
     }
     egui::Shape::mesh(mesh)
+}
+
+/// Whether a polygon is so thin that egui's soft edge would stand out at its ends as spikes.
+fn thin(points: &[Pos2]) -> bool {
+    let turned = |i: usize| (points[i], points[(i + 1) % points.len()]);
+    let edges = || (0..points.len()).map(turned);
+    let area: f32 = edges().map(|(a, b)| a.x * b.y - b.x * a.y).sum();
+    let longest = edges().map(|(a, b)| a.distance(b)).fold(0.0, f32::max);
+    area.abs() < 3.0 * longest
 }
 
 fn convex(points: &[Pos2]) -> bool {

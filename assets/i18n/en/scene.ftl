@@ -337,7 +337,7 @@ preset-frustum-straddles = The box reaches to both sides of the right plane. So 
 preset-frustum-long-object-name = Long object: sphere too large
 preset-frustum-long-object = The sphere around a long object reaches into the frustum. The box does not: choose it and A is culled.
 
-preset-frustum-corner-name = Outside, but of no single plane
+preset-frustum-corner-name = Outside of no single plane
 preset-frustum-corner = A stands beside an edge of the frustum. No plane has all of it outside, so it is kept, and the clipper finds nothing.
 
 preset-frustum-all-inside-name = All inside
@@ -347,7 +347,7 @@ preset-frustum-behind-the-eye-name = Too near and too far
 preset-frustum-behind-the-eye = One ball is behind the eye and one reaches through the far plane. Depth culls like any other direction.
 
 preset-tree-of-eight-name = Eight objects
-preset-tree-of-eight = Objects that stand together fall together: one test rejects three of them.
+preset-tree-of-eight = Objects that stand together fall together: one node stands for all four at the right.
 
 preset-tree-of-a-hundred-name = A hundred objects
 preset-tree-of-a-hundred = A camera sees a part of a field. The tree accepts and rejects whole regions of it.

@@ -134,7 +134,9 @@ impl App {
                 let history = self.view.pixel.and_then(|pixel| self.overview.history(pixel, &words));
                 let stages = (name == "pipeline").then(|| self.overview.table(&words));
                 let (pair, side) = (self.run.pair(), self.run.side());
-                let whole = Whole { history: history.as_deref(), stages: stages.as_deref(), pair, side };
+                let costs = Side::ALL.map(|side| self.run.cost(side));
+                let whole =
+                    Whole { history: history.as_deref(), stages: stages.as_deref(), pair, costs, side };
                 inspector::show(ui, &face, &frame, shown, digest, whole, &mut self.view);
             });
         CentralPanel::default().frame(plain(look.canvas, Margin::ZERO)).show(ui, |ui| {

@@ -132,6 +132,12 @@ impl Run {
         self.shown[side as usize].as_ref()
     }
 
+    /// What a side costs as a whole; nothing where only one side is shown.
+    pub(crate) fn cost(&self, side: Side) -> Operations {
+        let counted = self.shown_of(side).and_then(|shown| shown.operations);
+        counted.map_or(Operations::NONE, |[_, whole]| whole)
+    }
+
     /// Two runs side by side, if there are two.
     pub(crate) fn pair(&self) -> Option<&Pair> {
         match &self.playing {

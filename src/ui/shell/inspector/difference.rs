@@ -15,7 +15,7 @@ use egui::{
 };
 use rasterscope_core::{
     compare::{Fact, Pair, Part, Side, Subject, equal, totals, ulps},
-    explain::Role,
+    explain::{Operations, Role},
     message::{Message, Value},
 };
 use rasterscope_figure::{
@@ -28,7 +28,13 @@ use rasterscope_figure::{
 const MOST_ROWS: usize = 100;
 
 /// Shows the tab.
-pub(super) fn show(ui: &mut Ui, face: &Face<'_>, sides: &Sides, pair: &Pair, view: &mut ViewState) {
+pub(super) fn show(
+    ui: &mut Ui,
+    face: &Face<'_>,
+    sides: &Sides,
+    (pair, costs): (&Pair, [Operations; 2]),
+    view: &mut ViewState,
+) {
     inset(ui, |ui| {
         ui.add_space(14.0);
         headline(ui, face, pair);
@@ -36,7 +42,7 @@ pub(super) fn show(ui: &mut Ui, face: &Face<'_>, sides: &Sides, pair: &Pair, vie
         ui.add_space(8.0);
     });
     part_line(ui, face);
-    table::show(ui, face, &counts(face, pair), None, false);
+    table::show(ui, face, &counts(face, pair, costs), None, false);
     let chosen = view.part.clone().or_else(|| pair.difference().parts().next()?.either().cloned());
     if let Some(of) = &chosen {
         part_line(ui, face);
@@ -115,10 +121,10 @@ fn swatch(ui: &Ui, face: &Face<'_>, rect: Rect, kind: Kind) {
 }
 
 /// What each side costs, and what its result holds.
-fn counts(face: &Face<'_>, pair: &Pair) -> TextTable {
+fn counts(face: &Face<'_>, pair: &Pair, costs: [Operations; 2]) -> TextTable {
     let [a, b] = Side::ALL.map(|side| {
         let run = pair.run(side);
-        let whole = run.operations()[1];
+        let whole = costs[side as usize];
         let count = |n: u64| i64::try_from(n).unwrap_or(i64::MAX);
         let mut all = vec![
             ("ui-count-steps", i64::try_from(run.len()).unwrap_or(i64::MAX)),

@@ -17,7 +17,10 @@ use crate::{
     widgets::{focus_ring, follow_focus, rule},
 };
 use egui::{Align2, Rect, Role as Part, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
-use rasterscope_core::compare::{Pair, Side};
+use rasterscope_core::{
+    compare::{Pair, Side},
+    explain::Operations,
+};
 use rasterscope_figure::{
     numbers,
     tables::{self, Run as Piece, TextTable},
@@ -90,8 +93,9 @@ pub(crate) fn csv(tables: &[TextTable]) -> String {
 pub(crate) struct Whole<'a> {
     pub(crate) history: Option<&'a History>,
     pub(crate) stages: Option<&'a TextTable>,
-    /// Both runs, where there are two, and the side that is explained.
+    /// Both runs, where there are two, what each costs, and the side that is explained.
     pub(crate) pair: Option<&'a Pair>,
+    pub(crate) costs: [Operations; 2],
     pub(crate) side: Side,
 }
 
@@ -135,7 +139,7 @@ pub(crate) fn show(
             }
             match (view.tab, shown, digest) {
                 (Tab::Difference, ..) => match (split, whole.pair) {
-                    (Some(sides), Some(pair)) => difference::show(ui, face, sides, pair, view),
+                    (Some(sides), Some(pair)) => difference::show(ui, face, sides, (pair, whole.costs), view),
                     _ => empty(ui, face, frame, None),
                 },
                 (Tab::Pixel, ..) => pixel::show(ui, face, whole.history),

@@ -71,6 +71,12 @@ pub(crate) fn figure(painter: &Painter, textures: &mut Textures, at: Pos2, figur
                 let uv = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
                 painter.image(id, rect, uv, Color32::WHITE);
             }
+            Shape::Inset { at: place, figure: inset } => {
+                let at = at + Vec2::from(*place);
+                let rect = Rect::from_min_size(at, inset.size.into());
+                painter.rect_filled(rect, 0, color(inset.background));
+                self::figure(&painter, textures, at, inset);
+            }
             other => shapes.paint(other),
         }
     }
@@ -128,7 +134,7 @@ impl Shapes<'_> {
                 }));
                 self.painter.text(self.at(*at), align, text, FontId::new(*size, family(*font)), color(*ink));
             }
-            Shape::Image { .. } => {} // needs a texture: painted by the caller
+            Shape::Image { .. } | Shape::Inset { .. } => {} // need textures: painted by the caller
         }
     }
 

@@ -363,3 +363,6 @@ preset-tree-all-outside = All objects stand to the right. The root alone is test
 
 preset-tree-all-inside-name = Everything inside
 preset-tree-all-inside = The root lies inside all planes: six tests for all objects.
+
+preset-two-sides-mistake-name = Split: a mistake
+preset-two-sides-mistake = Left all four sides cut; right only the left and the bottom one, as beginners often leave it. What sticks out is outlined.

@@ -33,7 +33,7 @@ pub use self::{
 pub use crate::stage::Stage;
 
 use crate::{
-    compare::Setting,
+    compare::{Choice, Setting},
     message::{Message, Value},
     raster,
     replay::{Budget, Playback},
@@ -138,6 +138,11 @@ pub(crate) trait Family: Clone + Serialize + DeserializeOwned + Into<LabInput> {
         Vec::new()
     }
 
+    /// Every value of every input that is a choice among a few, the default of each first.
+    fn choices(&self) -> Vec<Choice> {
+        Vec::new()
+    }
+
     /// The value here of a setting that is an input of this family; `None` if it is none.
     fn setting(&self, _like: Setting) -> Option<Setting> {
         None
@@ -187,19 +192,30 @@ macro_rules! families {
 
             /// Every value of every setting that the run reads, its own included.
             pub(crate) fn settings(&self, scene: &Scene) -> Vec<Setting> {
-                match self { $(Self::$family(input) => input.settings(scene),)* }
+                let choices = self.choices().into_iter().map(Setting::Choice);
+                let own = match self { $(Self::$family(input) => input.settings(scene),)* };
+                choices.chain(own).collect()
+            }
+
+            /// Every value of every input that is a choice among a few, the default of each first.
+            pub(crate) fn choices(&self) -> Vec<Choice> {
+                match self { $(Self::$family(input) => input.choices(),)* }
             }
 
             /// The value here of a setting that is an input; `None` if it is none.
             pub(crate) fn setting(&self, like: Setting) -> Option<Setting> {
                 match (self, like) {
                     (_, Setting::Algorithm(_)) => Some(Setting::Algorithm(self.name())),
+                    (_, Setting::Choice(like)) => self.choice(like).map(Setting::Choice),
                     $((Self::$family(input), like) => input.setting(like),)*
                 }
             }
 
             /// Takes the value of a setting that is an input; leaves others alone.
             pub(crate) fn set(&mut self, setting: Setting) {
+                if let Setting::Choice(choice) = setting {
+                    return self.choose(choice);
+                }
                 match (self, setting) {
                     $((Self::$family(input), Setting::Algorithm(name)) => {
                         *input = input.clone().named(name);
@@ -241,6 +257,33 @@ families! {
 impl LabInput {
     /// The whole scene.
     pub const PIPELINE: Self = Self::Pipeline(Pipeline {});
+
+    /// The value of an input that is a choice.
+    fn choice(&self, like: Choice) -> Option<Choice> {
+        let fields = serde_json::to_value(self).ok()?;
+        let mut all = self.choices().into_iter().filter(|choice| choice.field == like.field);
+        match fields.get(like.field).filter(|value| !value.is_null()) {
+            Some(value) => all.find(|choice| choice.value() == *value),
+            None => all.next(),
+        }
+    }
+
+    /// Takes the value of an input that is a choice; what is none leaves it as it is.
+    fn choose(&mut self, choice: Choice) {
+        let default = self.choices().into_iter().find(|other| other.field == choice.field);
+        let (Ok(serde_json::Value::Object(mut fields)), Some(default)) =
+            (serde_json::to_value(&*self), default)
+        else {
+            return;
+        };
+        fields.remove(choice.field);
+        if choice != default {
+            fields.insert(choice.field.to_owned(), choice.value());
+        }
+        if let Some(Ok(input)) = find(self.name()).map(|lab| lab.read(&fields.into())) {
+            *self = input;
+        }
+    }
 
     /// The names of the labs whose algorithms take these very inputs, its own included.
     pub fn algorithms(&self) -> Vec<&'static str> {

@@ -86,6 +86,7 @@ pub const PRESETS: &[Preset] = presets! {
     "polygon-touches-a-corner"
     "polygon-crack"
     "polygon-two-sides"
+    "two-sides-mistake"
     "span-left-tie"
     "span-apex-on-a-row"
     "span-shared-diagonal"

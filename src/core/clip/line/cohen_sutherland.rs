@@ -11,7 +11,7 @@ mod formulas;
 
 pub use explain::Snapshot;
 
-use super::{Border, End, Outcode, Point, Segment, Window};
+use super::{Border, End, Kept, Outcode, Point, Segment, Window};
 use crate::{
     math::{Arithmetic, Tally},
     replay::{Budget, Player},
@@ -81,6 +81,16 @@ const _: () = assert!(size_of::<Event>() <= 16);
 #[inline(always)]
 pub fn clip(segment: Segment, window: &Window) -> Option<Segment> {
     run(Exact::new(&segment, window, &mut Tally::default()), &mut NoTrace)
+}
+
+/// [`clip`] for each of many segments: appends what is visible of them, in order, with their indices.
+///
+/// Allocates only if `kept` has no room for all of them.
+pub fn clip_all(segments: &[Segment], window: &Window, kept: &mut Vec<Kept>) {
+    kept.reserve(segments.len());
+    kept.extend(segments.iter().enumerate().filter_map(|(index, segment)| {
+        clip(*segment, window).map(|segment| Kept { index: index as u32, segment })
+    }));
 }
 
 /// [`clip`] in any arithmetic as a run that can be scrubbed.

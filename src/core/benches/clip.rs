@@ -141,13 +141,14 @@ fn polygons(corners: usize) -> Vec<Vec<[f32; 2]>> {
 fn main() {
     let window = Window::new(WINDOW).expect("it is right");
     let mixes = mixes(&window);
-    let mut rows = lines(&window, &mixes);
     let sizes = [3, 16, 256].map(|corners| (corners, polygons(corners)));
+    let mut rows = lines(&window, &mixes);
     for (corners, polygons) in &sizes {
         for arithmetic in ARITHMETICS {
             let settings = sutherland_hodgman::Settings { arithmetic, ..Default::default() };
-            let run = |tally: &mut Tally| {
-                black_box(sutherland_hodgman::clip_traced(polygons, &window, settings, tally, &mut NoTrace));
+            let window = &window;
+            let run = move |tally: &mut Tally| {
+                black_box(sutherland_hodgman::clip_traced(polygons, window, settings, tally, &mut NoTrace));
             };
             let items = polygons.len() * corners;
             let name = format!("{corners} corners, Sutherland-Hodgman");

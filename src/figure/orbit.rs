@@ -252,7 +252,7 @@ mod tests {
         for points in [&CUBE[..], &[[0.0; 3], [9.0, 0.1, 0.0], [0.0, 0.0, 0.2]]] {
             let orbit = Orbit::filling(points, 0.9, 0.3, 1.0);
             let most =
-                points.iter().map(|&p| orbit.project(p).unwrap()).flatten().map(f32::abs).fold(0.0, f32::max);
+                points.iter().flat_map(|&p| orbit.project(p).unwrap()).map(f32::abs).fold(0.0, f32::max);
             assert!((0.75..=1.0).contains(&most), "{most}");
         }
     }

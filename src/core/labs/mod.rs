@@ -6,16 +6,29 @@
 //! a line in [`ALL`], and for a new family a line in [`LabInput`].
 
 mod back_face;
+mod bvh;
 mod clip_line;
 mod clip_polygon;
+mod clip_triangle;
+mod frustum_culling;
+mod lectures;
 mod pipeline;
 mod scanline;
 mod transform;
 mod z_buffer;
 
+pub use self::lectures::Topic;
 pub use self::{
-    back_face::BackFace, clip_line::ClipLine, clip_polygon::ClipPolygon, pipeline::Pipeline,
-    scanline::Scanline, transform::Transform, z_buffer::ZBuffer,
+    back_face::BackFace,
+    bvh::{Bvh, Over},
+    clip_line::ClipLine,
+    clip_polygon::ClipPolygon,
+    clip_triangle::ClipTriangle,
+    frustum_culling::FrustumCulling,
+    pipeline::Pipeline,
+    scanline::Scanline,
+    transform::Transform,
+    z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
 
@@ -76,8 +89,11 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<Pipeline>("pipeline", Stage::Image),
     LabInfo::new::<Transform>("transform", Stage::ClipSpace),
     LabInfo::new::<BackFace>("back-face", Stage::Cull),
+    LabInfo::new::<FrustumCulling>("frustum-culling", Stage::Cull),
+    LabInfo::new::<Bvh>("bvh", Stage::Cull),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
+    LabInfo::new::<ClipTriangle>("clip-triangle", Stage::Clip),
     LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
     LabInfo::new::<ClipPolygon>("weiler-atherton", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
@@ -158,6 +174,14 @@ macro_rules! families {
                 match self { $(Self::$family(input) => input.is_of_scene(),)* }
             }
 
+            /// The same input for another lab of its family; `None`: that lab has other inputs.
+            pub fn carried(&self, name: &'static str) -> Option<Self> {
+                match self { $(Self::$family(input) => {
+                    let carried = input.clone().named(name);
+                    (carried.name() == name).then(|| carried.into())
+                })* }
+            }
+
             pub(crate) fn check(&self, scene: &Scene) -> Checked {
                 match self { $(Self::$family(input) => input.check(scene),)* }
             }
@@ -205,6 +229,12 @@ families! {
     Transform
     /// One triangle: does the eye see its back?
     BackFace
+    /// One triangle against the planes of the frustum.
+    ClipTriangle
+    /// Objects against the frustum.
+    FrustumCulling
+    /// A tree of boxes against the frustum.
+    Bvh
     /// The whole scene, stage by stage.
     Pipeline
 }

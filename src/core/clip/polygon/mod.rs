@@ -12,7 +12,7 @@ use crate::{
     math::{Arithmetic, Real},
     transform::DepthRange,
 };
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The algorithms that clip a polygon against a rectangular window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -81,7 +81,7 @@ impl Plane {
 }
 
 /// Which planes clip.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PlaneSet {
     /// All six.

@@ -11,6 +11,7 @@ use crate::{
     math::{Real, Sign},
 };
 use serde::Serialize;
+use std::cmp::Ordering;
 
 /// Which end of an edge is `a` in `x = t a + (1 - t) b`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
@@ -72,7 +73,8 @@ impl<R: Real, B: Region> Form for Taught<R, B> {
     }
 
     fn outside(&self, plane: Plane, nodes: &[Node<Values<R>>]) -> Outside {
-        Outside::of_all(nodes.iter().map(|node| !(self.distance_of(plane, node) >= R::ZERO)))
+        let outside = |node| self.distance_of(plane, node).partial_cmp(&R::ZERO).is_none_or(Ordering::is_lt);
+        Outside::of_all(nodes.iter().map(outside))
     }
 
     fn side(&mut self, plane: Plane, node: &Node<Values<R>>) -> Sign {

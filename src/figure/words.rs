@@ -92,6 +92,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "cohen-sutherland"
     "liang-barsky"
     "sutherland-hodgman"
+    "weiler-atherton"
     "clip-triangle"
     "aabb"
     "scanline"

@@ -17,6 +17,7 @@ mod placing;
 mod scanline;
 mod sutherland_hodgman;
 mod transform;
+mod weiler_atherton;
 mod window;
 mod z_buffer;
 
@@ -136,6 +137,7 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(liang_barsky::LAB),
         Box::new(clip_triangle::ClipTriangle),
         Box::new(sutherland_hodgman::LAB),
+        Box::new(weiler_atherton::LAB),
         Box::new(scanline::Scanline),
         Box::new(z_buffer::ZBuffer),
     ]

@@ -85,17 +85,45 @@ impl Place {
     }
 }
 
-/// A closed polygon as it was given, and the window: what every decision is made from.
+/// Closed contours as they were given, and the window: what every decision is made from.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Given<'a> {
+    /// The corners of all contours, one contour after the other.
     pub(super) points: &'a [Point],
+    /// Where each contour starts.
+    pub(super) starts: &'a [u32],
     pub(super) window: &'a Window,
 }
 
-impl Given<'_> {
+impl<'a> Given<'a> {
+    /// A single contour.
+    pub(super) fn one(points: &'a [Point], window: &'a Window) -> Self {
+        Self { points, starts: &[0], window }
+    }
+
+    /// The corner that follows in the same contour.
+    #[inline]
+    pub(super) fn next(&self, index: u32) -> u32 {
+        let next = index + 1;
+        let last = next as usize == self.points.len();
+        match self.starts {
+            [start] => {
+                if last {
+                    *start
+                } else {
+                    next
+                }
+            }
+            starts if last || starts.binary_search(&next).is_ok() => {
+                starts[starts.partition_point(|start| *start <= index) - 1]
+            }
+            _ => next,
+        }
+    }
+
+    #[inline]
     pub(super) fn edge(&self, index: u32) -> Segment {
-        let index = index as usize;
-        [self.points[index], self.points[if index + 1 == self.points.len() { 0 } else { index + 1 }]]
+        [index, self.next(index)].map(|index| self.points[index as usize])
     }
 
     /// On which side of a border a corner lies, exactly.
@@ -104,15 +132,20 @@ impl Given<'_> {
     /// one; only of a cut that was rounded onto the border the original edge must be asked.
     #[inline]
     pub(super) fn place(&self, corner: &Corner, border: Border, tally: &mut Tally) -> Place {
-        let (axis, c) = (border.axis(), self.window.at(border));
-        let order = if corner.at[axis] < c {
+        Place::of(self.compare(corner, border.axis(), self.window.at(border), tally), border)
+    }
+
+    /// The order of a corner's exact coordinate and a value.
+    #[inline]
+    pub(super) fn compare(&self, corner: &Corner, axis: usize, value: f32, tally: &mut Tally) -> Ordering {
+        if corner.at[axis] < value {
             Ordering::Less
-        } else if corner.at[axis] > c {
+        } else if corner.at[axis] > value {
             Ordering::Greater
         } else {
             match corner.source {
-                Source::Crossing { edge, border: own } if own.axis() != axis => {
-                    match side_at(self.edge(edge), own, self.window, c, tally) {
+                Source::Crossing { edge, border } if border.axis() != axis => {
+                    match side_at(self.edge(edge), border, self.window, value, tally) {
                         Sign::Negative => Ordering::Less,
                         Sign::Zero => Ordering::Equal,
                         Sign::Positive => Ordering::Greater,
@@ -120,8 +153,7 @@ impl Given<'_> {
                 }
                 _ => Ordering::Equal,
             }
-        };
-        Place::of(order, border)
+        }
     }
 
     /// Where what carries an edge meets a border that lies between the edge's ends.

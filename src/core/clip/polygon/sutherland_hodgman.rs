@@ -216,7 +216,7 @@ pub fn clip_into(polygon: &[Point], window: &Window, buffers: &mut Buffers, out:
     // No corner beyond a side: the side changes nothing.
     let cutting = sides.into_iter().filter(|&border| outside.some.has(border));
     let mut tally = Tally::default();
-    let mut form = Exact::new(Given { points: polygon, window }, &mut tally);
+    let mut form = Exact::new(Given::one(polygon, window), &mut tally);
     run(&mut form, cutting, buffers, &mut NoTrace);
     out.extend(buffers.polygon.iter().map(|corner| corner.at));
 }
@@ -271,7 +271,7 @@ pub fn clip_traced<T: Tracer<Event>>(
     let mut results = Vec::new();
     for (index, points) in polygons.iter().enumerate() {
         t.emit(|| Event::Begin { polygon: index as u32 });
-        let (given, sides) = (Given { points, window }, sides.iter().copied());
+        let (given, sides) = (Given::one(points, window), sides.iter().copied());
         let mut buffers = Buffers::default();
         match settings.arithmetic {
             Arithmetic::Exact | Arithmetic::Fixed8 => {

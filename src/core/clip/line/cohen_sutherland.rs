@@ -172,10 +172,9 @@ fn run<F: Form, T: Tracer<Event>>(mut ends: F, t: &mut T) -> Option<Segment> {
 fn is_rejected<T: Tracer<Event>>([c1, c2]: [Outcode; 2], t: &mut T) -> bool {
     let [or, and] = [Outcode(c1.0 | c2.0), Outcode(c1.0 & c2.0)];
     t.emit(|| Event::Or { code: or });
-    if or.0 == 0 {
-        return false;
+    if or.0 != 0 {
+        t.emit(|| Event::And { code: and });
     }
-    t.emit(|| Event::And { code: and });
     if and.0 != 0 {
         t.emit(|| Event::Reject);
     }

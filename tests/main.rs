@@ -28,4 +28,5 @@ mod support;
 mod sutherland_hodgman;
 mod tour;
 mod transform;
+mod weiler_atherton;
 mod z_buffer;

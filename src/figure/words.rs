@@ -93,6 +93,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "liang-barsky"
     "clip-plane"
     "sutherland-hodgman"
+    "weiler-atherton"
     "clip-triangle"
     "aabb"
     "scanline"

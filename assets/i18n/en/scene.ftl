@@ -207,6 +207,24 @@ preset-polygon-crack = Both polygons have the edge V0 V1, in opposite directions
 preset-polygon-two-sides-name = Only two sides cut
 preset-polygon-two-sides = Right at the left and the bottom, wrong at the right and the top: two of the four sides were forgotten.
 
+preset-pieces-convex-name = A: convex, one piece
+preset-pieces-convex = Six crossings, entering and leaving by turns. The ring goes along the polygon and along the border, three times each.
+
+preset-pieces-three-name = B: concave, three pieces
+preset-pieces-three = One polygon falls apart into three. Each piece has a ring of its own, and no bridge joins them.
+
+preset-pieces-holes-name = Two holes, one cut open
+preset-pieces-holes = One hole is inside the window and stays a hole. The other crosses the border and becomes a dent.
+
+preset-pieces-star-name = A star that crosses itself
+preset-pieces-star = By the even-odd rule the middle of the star is outside. One ring that crosses itself leaves it free.
+
+preset-pieces-touching-name = Corners and edges on borders
+preset-pieces-touching = Corners lie on borders and one edge runs along one. The window counts as a trace smaller, so each touch is a plain crossing or none.
+
+preset-pieces-around-name = Around the window, with a hole
+preset-pieces-around = Nothing crosses the border, and the border is inside. The window itself is a ring, and the inner contour is its hole.
+
 preset-span-left-tie-name = One tie on a left edge
 preset-span-left-tie = In row 4 the left edge runs exactly through a pixel centre. A left edge draws it; a right edge would not.
 

@@ -98,6 +98,7 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<ClipPlane>("clip-plane", Stage::Clip),
     LabInfo::new::<ClipTriangle>("clip-triangle", Stage::Clip),
     LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
+    LabInfo::new::<ClipPolygon>("weiler-atherton", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
 ];

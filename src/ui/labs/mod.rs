@@ -18,6 +18,7 @@ mod placing;
 mod scanline;
 mod sutherland_hodgman;
 mod transform;
+mod weiler_atherton;
 mod window;
 mod z_buffer;
 
@@ -138,6 +139,7 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(clip_plane::ClipPlane),
         Box::new(clip_triangle::ClipTriangle),
         Box::new(sutherland_hodgman::LAB),
+        Box::new(weiler_atherton::LAB),
         Box::new(scanline::Scanline),
         Box::new(z_buffer::ZBuffer),
     ]

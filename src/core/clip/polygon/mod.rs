@@ -5,6 +5,7 @@ pub mod clip_space;
 pub mod clip_triangle;
 pub mod outline;
 pub mod sutherland_hodgman;
+pub mod weiler_atherton;
 
 pub use clip_space::{Corner, Origin, Polygon, clip_triangle};
 
@@ -20,16 +21,19 @@ pub enum Algorithm {
     /// Side by side: [`sutherland_hodgman`].
     #[default]
     SutherlandHodgman,
+    /// Ring by ring: [`weiler_atherton`].
+    WeilerAtherton,
 }
 
 impl Algorithm {
     /// Every algorithm, the default first.
-    pub const ALL: [Self; 1] = [Self::SutherlandHodgman];
+    pub const ALL: [Self; 2] = [Self::SutherlandHodgman, Self::WeilerAtherton];
 
     /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::SutherlandHodgman => "sutherland-hodgman",
+            Self::WeilerAtherton => "weiler-atherton",
         }
     }
 
@@ -37,6 +41,7 @@ impl Algorithm {
     pub fn arithmetics(self) -> &'static [Arithmetic] {
         match self {
             Self::SutherlandHodgman => &[Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64],
+            Self::WeilerAtherton => &[Arithmetic::Exact],
         }
     }
 }

@@ -253,8 +253,6 @@ fn each_kind_of_bad_input_has_its_code() {
         (r#"{"op":"coverage","size":[1e300,1],"vertices":[[0,0],[1,0],[0,1]]}"#, "bad-size"),
         (r#"{"op":"coverage","size":[1,1],"vertices":[[0,0],[1,0]]}"#, "bad-field"),
         (r#"{"op":"coverage","size":[1,1],"vertices":[[0,0],[1,0],[0,1,2]]}"#, "bad-field"),
-        (r#"{"op":"coverage","size":[1,1],"algorithm":"backtracking"}"#, "unsupported"),
-        (r#"{"op":"coverage","size":[1,1],"algorithm":"homogeneous"}"#, "unsupported"),
         (r#"{"op":"coverage","size":[1,1],"algorithm":"cohen-sutherland"}"#, "unknown-algorithm"),
         (r#"{"op":"coverage","size":[1,1],"fill_rule":"left"}"#, "unknown-fill-rule"),
         (r#"{"op":"coverage","size":[1,1],"y_axis":"left"}"#, "unknown-y-axis"),

@@ -28,5 +28,6 @@ mod support;
 mod sutherland_hodgman;
 mod tour;
 mod transform;
+mod traversals;
 mod weiler_atherton;
 mod z_buffer;

@@ -10,13 +10,10 @@ use serde::Serialize;
 
 use super::{Refusal, Request, lab_scene};
 
-/// Algorithms of the interface that come in a later version.
-const LATER: [&str; 4] = ["backtracking", "zigzag", "tiled", "homogeneous"];
-
 /// The conventions of a `coverage` or `depth` request.
 pub(super) fn conventions(request: &Request) -> Result<(Algorithm, Settings), Refusal> {
     let names = ("algorithm", "unknown-algorithm");
-    let algorithm = request.choice(names, &Algorithm::ALL, Algorithm::name, &LATER)?;
+    let algorithm = request.choice(names, &Algorithm::ALL, Algorithm::name, &[])?;
     let rules = ("fill_rule", "unknown-fill-rule");
     let fill_rule = request.choice(rules, &FillRule::ALL, FillRule::name, &[])?;
     let axes = ("y_axis", "unknown-y-axis");

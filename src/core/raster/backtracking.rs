@@ -47,10 +47,9 @@ impl Traversal for Backtracking {
         "if the area is 0: draw nothing; stop",
         "x ← column of the highest vertex",
         "for each row y from the highest",
-        "  turn left",
-        "  go left until the triangle lies to the right",
-        "  turn right",
-        "  go right and draw what E0, E1, E2 let in, until it lies to the left",
+        "  turn left, until the triangle lies to the right",
+        "  turn right, until it lies to the left",
+        "    at each centre: draw it if E0, E1, E2 let it in",
         "no row is left: stop",
     ];
 
@@ -60,10 +59,9 @@ impl Traversal for Backtracking {
             Event::Box { .. } => 1,
             Event::Row { .. } | Event::Skip { .. } => 2,
             Event::Turn { to: Direction::Left, .. } => 3,
-            Event::Tile { .. } => 4,
-            Event::Turn { to: Direction::Right, .. } => 5,
-            Event::Test { .. } => 6,
-            Event::Done => 7,
+            Event::Turn { to: Direction::Right, .. } => 4,
+            Event::Test { .. } | Event::Tile { .. } => 5,
+            Event::Done => 6,
         }
     }
 

@@ -385,11 +385,9 @@ pub trait Explain: State {
     fn tables(&self, out: &mut Vec<Table>);
     /// The drawing: input, what was done so far, and `event`, the step just taken, as active.
     fn marks(&self, event: Option<&Self::Event>, out: &mut Vec<Mark>);
-    /// What part of the plane the drawing shows; the same at every step. [`View::SPACE`] if it has a
-    /// vantage.
+    /// What part of the plane the drawing shows, always; [`View::SPACE`] if it has a vantage.
     fn view(&self) -> View;
-    /// From where a drawing in space is seen first, the same at every step; `None` if all marks lie in
-    /// the plane.
+    /// From where a drawing in space is seen first; `None` if all marks lie in the plane.
     fn vantage(&self) -> Option<Vantage> {
         None
     }

@@ -276,3 +276,4 @@ ui-planes = Planes
 ui-guard = Factor
 ui-pieces = Result
 ui-vertices-camera = Vertices (camera space)
+ui-vertices-and-plane = Vertices, plane

@@ -7,6 +7,7 @@ use crate::{
         polygon::{
             Algorithm,
             sutherland_hodgman::{self, Mistake, Settings, SideOrder},
+            weiler_atherton,
         },
     },
     compare::{Choice, Setting},
@@ -28,10 +29,11 @@ pub struct ClipPolygon {
     pub window: [f32; 4],
     /// The corners in order, at least three; the last one joins the first.
     pub polygon: Vec<Point>,
-    /// More polygons of the same kind: neighbours, holes, islands.
+    /// More contours: neighbours for Sutherland-Hodgman, which clips each by itself; holes and islands for
+    /// Weiler-Atherton, by the even-odd rule.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub contours: Vec<Vec<Point>>,
-    /// In which order the sides cut.
+    /// In which order the sides cut, side by side.
     #[serde(default)]
     pub order: SideOrder,
     /// What the cuts are computed in.
@@ -99,6 +101,7 @@ impl Family for ClipPolygon {
                 let settings = Settings { arithmetic, order, mistake };
                 Box::new(sutherland_hodgman::play(&self.all(), window, settings, budget))
             }
+            Algorithm::WeilerAtherton => Box::new(weiler_atherton::play(&self.all(), window, budget)),
         })
     }
 

@@ -8,6 +8,7 @@
 mod back_face;
 mod bvh;
 mod clip_line;
+mod clip_plane;
 mod clip_polygon;
 mod clip_triangle;
 mod frustum_culling;
@@ -22,8 +23,9 @@ pub use self::{
     back_face::BackFace,
     bvh::{Bvh, Over},
     clip_line::ClipLine,
+    clip_plane::ClipPlane,
     clip_polygon::ClipPolygon,
-    clip_triangle::ClipTriangle,
+    clip_triangle::{ClipTriangle, Planes},
     frustum_culling::FrustumCulling,
     pipeline::Pipeline,
     scanline::Scanline,
@@ -93,8 +95,10 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<Bvh>("bvh", Stage::Cull),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
+    LabInfo::new::<ClipPlane>("clip-plane", Stage::Clip),
     LabInfo::new::<ClipTriangle>("clip-triangle", Stage::Clip),
     LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
+    LabInfo::new::<ClipPolygon>("weiler-atherton", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
 ];
@@ -244,6 +248,8 @@ families! {
     Transform
     /// One triangle: does the eye see its back?
     BackFace
+    /// One triangle against one plane.
+    ClipPlane
     /// One triangle against the planes of the frustum.
     ClipTriangle
     /// Objects against the frustum.

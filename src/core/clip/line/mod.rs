@@ -26,6 +26,15 @@ pub type Point = [f32; 2];
 /// Both ends of a segment, in the order given.
 pub type Segment = [Point; 2];
 
+/// The visible part of one of many segments.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kept {
+    /// Which segment it was; the first is 0.
+    pub index: u32,
+    /// What is visible of it.
+    pub segment: Segment,
+}
+
 /// The algorithms of this stage.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Algorithm {

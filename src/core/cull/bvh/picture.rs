@@ -55,9 +55,12 @@ fn boxes(of: &Snapshot, out: &mut Vec<Mark>) {
             Some(Some(_)) => Role::Rejected,
         };
         let label = now.then(|| Label::name(of.input.names[index].clone()));
-        if let (Some(&triangle), false) = (of.input.triangles.get(index), now) {
-            let points = triangle.to_vec();
-            out.push(Mark::Space(Solid::Polygon { points, role, object: None, label }));
+        if let Some(&triangle) = of.input.triangles.get(index).filter(|_| !now) {
+            // Of many small ones only what is kept is filled.
+            let kept = role == Role::Accepted;
+            let role = if few || role == Role::Candidate { role } else { Role::Skipped };
+            let (points, object) = (triangle.to_vec(), kept.then_some(0));
+            out.push(Mark::Space(Solid::Polygon { points, role, object, label }));
         } else if few || now {
             let corners = box_corners(bounds[0], bounds[1]);
             out.push(Mark::Space(Solid::Body { corners, role, label }));

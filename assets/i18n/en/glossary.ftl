@@ -79,4 +79,5 @@ glossary-stage-image = Image: what is seen in the end.
 glossary-tab-step = What just happened: the sentence, the formula and the values that changed.
 glossary-tab-listing = The algorithm in pseudocode, with the line that was just executed.
 glossary-tab-values = Every value that the algorithm holds now.
+glossary-tab-difference = How the two sides differ: how much, in what, and what each of them costs.
 glossary-tab-pixel = What happened to the pixel that was clicked, fragment by fragment.

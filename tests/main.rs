@@ -2,6 +2,7 @@
 //! conformance. No display, no network, no clock.
 
 mod back_face;
+mod bvh;
 mod cli;
 mod clip_polygon;
 mod clip_triangle;
@@ -9,6 +10,7 @@ mod cohen_sutherland;
 mod compare;
 mod compute;
 mod coverage;
+mod frustum_culling;
 mod house;
 mod interpolate;
 mod liang_barsky;

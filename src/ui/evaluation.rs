@@ -12,7 +12,7 @@ use egui::Context;
 use rasterscope_core::{
     labs as core_labs,
     message::Message,
-    pipeline::{Pipeline, Skips},
+    pipeline::{Pipeline, Skips, out_of_range},
     replay::{Budget, Playback},
     scene::Scene,
 };
@@ -29,6 +29,8 @@ const PIXELS: usize = 64;
 pub(crate) struct Evaluation {
     /// The scene that the run is of, and why there is no run.
     ran: Option<(Scene, Option<Message>)>,
+    /// What of that scene cannot be drawn as it is.
+    beyond: Option<Message>,
     /// The step to go to once there is a run.
     step: Option<usize>,
     pending: Option<Pending>,
@@ -188,7 +190,13 @@ impl Evaluation {
                 Some(problem)
             }
         };
+        self.beyond = out_of_range(&scene);
         self.ran = Some((scene, problem));
+    }
+
+    /// What of the scene cannot be drawn as it is: a product leaves the range of binary32.
+    pub(crate) fn beyond(&self) -> Option<&Message> {
+        self.beyond.as_ref()
     }
 }
 

@@ -12,7 +12,7 @@ use crate::{
 use serde::{Deserialize, Serialize};
 
 /// Fixed point is for scan conversion.
-const ARITHMETICS: [Arithmetic; 3] = [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64];
+pub(super) const ARITHMETICS: [Arithmetic; 3] = [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64];
 
 /// A line against a window.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -58,11 +58,7 @@ impl Family for ClipLine {
         let [xmin, ymin, xmax, ymax] = self.window;
         refuse_if(xmin > xmax || ymin > ymax, "window", Problem::WindowReversed)?;
         each_finite(&self.segment).map_err(|e| e.within("segment"))?;
-        let problem = Problem::UnknownName {
-            name: self.arithmetic.name().into(),
-            known: ARITHMETICS.map(Arithmetic::name).to_vec(),
-        };
-        refuse_if(!ARITHMETICS.contains(&self.arithmetic), "arithmetic", problem)
+        check_arithmetic(self.arithmetic)
     }
 
     fn play(&self, _: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
@@ -90,4 +86,11 @@ impl Family for ClipLine {
             self.arithmetic = arithmetic;
         }
     }
+}
+
+/// Refuses an arithmetic that the lab does not compute in.
+pub(super) fn check_arithmetic(arithmetic: Arithmetic) -> Checked {
+    let known = ARITHMETICS.map(Arithmetic::name).to_vec();
+    let problem = Problem::UnknownName { name: arithmetic.name().into(), known };
+    refuse_if(!ARITHMETICS.contains(&arithmetic), "arithmetic", problem)
 }

@@ -6,14 +6,28 @@
 //! a line in [`ALL`], and for a new family a line in [`LabInput`].
 
 mod back_face;
+mod bvh;
 mod clip_line;
+mod clip_polygon;
+mod clip_triangle;
+mod frustum_culling;
+mod lectures;
 mod pipeline;
 mod scanline;
 mod transform;
 mod z_buffer;
 
+pub use self::lectures::Topic;
 pub use self::{
-    back_face::BackFace, clip_line::ClipLine, pipeline::Pipeline, scanline::Scanline, transform::Transform,
+    back_face::BackFace,
+    bvh::{Bvh, Over},
+    clip_line::ClipLine,
+    clip_polygon::ClipPolygon,
+    clip_triangle::ClipTriangle,
+    frustum_culling::FrustumCulling,
+    pipeline::Pipeline,
+    scanline::Scanline,
+    transform::Transform,
     z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
@@ -75,8 +89,12 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<Pipeline>("pipeline", Stage::Image),
     LabInfo::new::<Transform>("transform", Stage::ClipSpace),
     LabInfo::new::<BackFace>("back-face", Stage::Cull),
+    LabInfo::new::<FrustumCulling>("frustum-culling", Stage::Cull),
+    LabInfo::new::<Bvh>("bvh", Stage::Cull),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
+    LabInfo::new::<ClipTriangle>("clip-triangle", Stage::Clip),
+    LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
 ];
@@ -155,6 +173,14 @@ macro_rules! families {
                 match self { $(Self::$family(input) => input.is_of_scene(),)* }
             }
 
+            /// The same input for another lab of its family; `None`: that lab has other inputs.
+            pub fn carried(&self, name: &'static str) -> Option<Self> {
+                match self { $(Self::$family(input) => {
+                    let carried = input.clone().named(name);
+                    (carried.name() == name).then(|| carried.into())
+                })* }
+            }
+
             pub(crate) fn check(&self, scene: &Scene) -> Checked {
                 match self { $(Self::$family(input) => input.check(scene),)* }
             }
@@ -192,6 +218,8 @@ macro_rules! families {
 families! {
     /// A line against a window.
     ClipLine
+    /// Polygons against a window.
+    ClipPolygon
     /// One triangle, row by row.
     Scanline
     /// Triangles, fragment by fragment.
@@ -200,6 +228,12 @@ families! {
     Transform
     /// One triangle: does the eye see its back?
     BackFace
+    /// One triangle against the planes of the frustum.
+    ClipTriangle
+    /// Objects against the frustum.
+    FrustumCulling
+    /// A tree of boxes against the frustum.
+    Bvh
     /// The whole scene, stage by stage.
     Pipeline
 }

@@ -1,6 +1,6 @@
 //! What the labs that clip a line share: all but the algorithm.
 
-use super::{Handle, Kind, Lab, Outcome};
+use super::{Handle, Kind, Lab, Outcome, window};
 use crate::{
     document::{Document, ViewState},
     face::Face,
@@ -19,18 +19,6 @@ use rasterscope_core::{
 #[derive(Debug)]
 pub(crate) struct ClipLine(pub(crate) Algorithm);
 
-/// Handles of the window: which of xmin, ymin, xmax, ymax each moves.
-const WINDOW: [(&str, Kind, Option<usize>, Option<usize>); 8] = [
-    ("xmin ymin", Kind::Corner, Some(0), Some(1)),
-    ("xmax ymin", Kind::Corner, Some(2), Some(1)),
-    ("xmax ymax", Kind::Corner, Some(2), Some(3)),
-    ("xmin ymax", Kind::Corner, Some(0), Some(3)),
-    ("xmin", Kind::SideX, Some(0), None),
-    ("xmax", Kind::SideX, Some(2), None),
-    ("ymin", Kind::SideY, None, Some(1)),
-    ("ymax", Kind::SideY, None, Some(3)),
-];
-
 impl Lab for ClipLine {
     fn name(&self) -> &'static str {
         self.0.name()
@@ -48,25 +36,16 @@ impl Lab for ClipLine {
         let [x1, y1, x2, y2] = segment;
         choices::fields(ui, face, "P1", [x1, y1]);
         choices::fields(ui, face, "P2", [x2, y2]);
-        let before = *window;
-        let [xmin, ymin, xmax, ymax] = window;
-        choices::fields(ui, face, "min", [xmin, ymin]);
-        choices::fields(ui, face, "max", [xmax, ymax]);
-        keep_order(window, before);
+        window::fields(ui, face, window);
     }
 
     fn handles(&self, document: &Document) -> Vec<Handle> {
         let LabInput::ClipLine(input) = document.input() else { return Vec::new() };
         let labs::ClipLine { window, segment: [x1, y1, x2, y2], .. } = input;
-        let middle = |low: usize| window[low] / 2.0 + window[low + 2] / 2.0;
-        let sides = WINDOW.map(|(name, kind, x, y)| {
-            let at = [x.map_or(middle(0), |x| window[x]), y.map_or(middle(1), |y| window[y])];
-            Handle { name: name.to_owned(), at, kind }
-        });
         let end = |name: &str, at| Handle { name: name.to_owned(), at, kind: Kind::Point };
         let ends = [end("P1", [*x1, *y1]), end("P2", [*x2, *y2])];
         // The ends last: where a handle of the window lies on an end, the end is on top.
-        sides.into_iter().chain(ends).collect()
+        window::handles(window).into_iter().chain(ends).collect()
     }
 
     fn outcome(&self, _: &Document, markers: &[(usize, Marker)]) -> Option<Outcome> {
@@ -75,33 +54,10 @@ impl Lab for ClipLine {
         Some(Outcome { came: Some(1), went: usize::from(kept), unit: None, given: (1, "ui-unit-line") })
     }
 
-    fn drag(&self, document: &mut Document, handle: usize, [x, y]: [f32; 2]) {
+    fn drag(&self, document: &mut Document, handle: usize, to: [f32; 2]) {
         let LabInput::ClipLine(labs::ClipLine { window, segment, .. }) = document.input_mut() else { return };
-        if let Some((_, _, to_x, to_y)) = WINDOW.get(handle) {
-            let before = *window;
-            for (side, to) in [(to_x, x), (to_y, y)] {
-                if let Some(side) = side {
-                    window[*side] = to;
-                }
-            }
-            keep_order(window, before);
-        } else {
-            let end = 2 * (handle - WINDOW.len());
-            segment[end..end + 2].copy_from_slice(&[x, y]);
-        }
-    }
-}
-
-/// A side that was moved stops at the opposite one.
-fn keep_order(window: &mut [f32; 4], before: [f32; 4]) {
-    for axis in 0..2 {
-        let (low, high) = (axis, axis + 2);
-        if window[low] > window[high] {
-            if window[low] == before[low] {
-                window[high] = window[low];
-            } else {
-                window[low] = window[high];
-            }
+        if let Some(end) = window::drag(window, handle, to) {
+            segment[2 * end..2 * end + 2].copy_from_slice(&to);
         }
     }
 }

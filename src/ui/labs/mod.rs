@@ -3,14 +3,21 @@
 //! A lab says what of the document can be dragged and chosen. Running, stepping, listing,
 //! inspector and painting are the shell's, the same for all.
 
+mod back_face;
+mod bvh;
 mod clip_line;
+mod clip_polygon;
+mod clip_triangle;
 mod cohen_sutherland;
+mod frustum_culling;
 mod liang_barsky;
 mod objects;
 mod pipeline;
 mod placing;
 mod scanline;
+mod sutherland_hodgman;
 mod transform;
+mod window;
 mod z_buffer;
 
 use crate::{
@@ -122,8 +129,13 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
     vec![
         Box::new(pipeline::Pipeline),
         Box::new(transform::Transform),
+        Box::new(back_face::BackFace),
+        Box::new(frustum_culling::FrustumCulling),
+        Box::new(bvh::Bvh),
         Box::new(cohen_sutherland::LAB),
         Box::new(liang_barsky::LAB),
+        Box::new(clip_triangle::ClipTriangle),
+        Box::new(sutherland_hodgman::LAB),
         Box::new(scanline::Scanline),
         Box::new(z_buffer::ZBuffer),
     ]

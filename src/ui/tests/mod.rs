@@ -26,6 +26,8 @@ struct Memory {
     kept: BTreeMap<String, Vec<u8>>,
     writes: usize,
     full: bool,
+    /// Whether the hints of a first start are wanted.
+    hints: bool,
     /// Whether work waits for [`Memory::work`]; else it is done at once.
     lazy: bool,
     waiting: Vec<Box<dyn FnOnce() + Send>>,
@@ -129,6 +131,7 @@ fn window_on(width: f32, height: f32, platform: Memory) -> Window {
                 let app = app.get_or_insert_with(|| {
                     let mut app = App::new(ui.ctx());
                     app.start(ui.ctx(), None, platform);
+                    app.view.aids.hints &= platform.hints;
                     app
                 });
                 app.ui(&mut whole, platform);

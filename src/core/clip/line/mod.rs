@@ -7,6 +7,7 @@
 //! the line and the border alone: not on the order of the ends, nor on the algorithm.
 
 pub mod cohen_sutherland;
+mod crossings;
 pub(in crate::clip) mod intersection;
 pub mod liang_barsky;
 
@@ -78,12 +79,9 @@ impl Window {
     /// The constant coordinate of a border.
     #[inline]
     pub fn at(&self, border: Border) -> f32 {
-        match border {
-            Border::Top => self.ymax,
-            Border::Bottom => self.ymin,
-            Border::Right => self.xmax,
-            Border::Left => self.xmin,
-        }
+        // Without a jump, which a processor could not foresee: an upper border is an even one.
+        let [min, max] = self.sides(border.axis());
+        if (border as u8).is_multiple_of(2) { max } else { min }
     }
 
     /// Minimum and maximum of x (axis 0) or y (axis 1).
@@ -180,6 +178,12 @@ impl End {
             Self::P1 => Self::P2,
             Self::P2 => Self::P1,
         }
+    }
+
+    /// Of two ends with different codes, the one beyond a border at which they differ.
+    #[inline(always)]
+    fn beyond(border: Border, [c1, _]: [Outcode; 2]) -> Self {
+        if c1.has(border) { Self::P1 } else { Self::P2 }
     }
 }
 

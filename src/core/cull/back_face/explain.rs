@@ -2,8 +2,9 @@
 
 use super::{Degeneracy, Event, Input, Numbers, Outcome, Test, Why, formulas, picture};
 use crate::{
-    cull::{CullMode, Facing, FrontFace},
-    explain::{Explain, Formula, Level, Mark, Marker, Operations, Role, Row, Table, View},
+    compare::Fact,
+    cull::Facing,
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, Role, Row, Table, Vantage, View},
     message::{Message, Value},
     replay::State,
 };
@@ -280,6 +281,7 @@ impl Explain for Snapshot {
         let columns = vec!["s", "column-back-face-answer", "column-back-face-against-determinant"];
         out.push(Table { title: "back-face-tests", columns, rows: rows.to_vec() });
         out.push(self.vertices(self.now.unwrap_or(Test::Determinant)));
+        out.extend(self.object());
         out.push(self.conventions());
     }
 
@@ -288,7 +290,25 @@ impl Explain for Snapshot {
     }
 
     fn view(&self) -> View {
-        picture::view(self)
+        View::SPACE
+    }
+
+    fn vantage(&self) -> Option<Vantage> {
+        Some(picture::vantage(self))
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        for (test, known) in Test::ALL.into_iter().zip(&self.known) {
+            if let Some(answer) = known.answer {
+                let values =
+                    vec![("s", known.value.into()), ("column-back-face-answer", answer_word(answer))];
+                out.push(Fact::named(row_name(test), values));
+            }
+        }
+        out.extend(
+            self.fate
+                .map(|(_, culled)| Fact::answer(if culled { "back-face-culled" } else { "back-face-kept" })),
+        );
     }
 }
 
@@ -346,17 +366,25 @@ impl Snapshot {
         Table { title, columns, rows }
     }
 
+    /// How the triangles of the whole object stand to the eye, if it has several.
+    fn object(&self) -> Option<Table> {
+        let object = &self.input.object;
+        let count = |facing: Facing| object.iter().filter(|(_, of)| *of == facing).count();
+        let row = |name, facing| Row::new(name, vec![count(facing).into()]);
+        (object.len() > 1).then(|| Table {
+            title: "back-face-object",
+            columns: vec!["column-back-face-triangles"],
+            rows: vec![
+                row("row-back-face-of-front", Facing::Front),
+                row("row-back-face-of-back", Facing::Back),
+                row("row-back-face-of-none", Facing::Degenerate),
+            ],
+        })
+    }
+
     fn conventions(&self) -> Table {
         let settings = &self.input.settings;
-        let front = match settings.front {
-            FrontFace::Ccw => "back-face-ccw",
-            FrontFace::Cw => "back-face-cw",
-        };
-        let cull = match settings.cull {
-            CullMode::None => "back-face-cull-none",
-            CullMode::Back => "back-face-cull-back",
-            CullMode::Front => "back-face-cull-front",
-        };
+        let [front, cull] = [settings.front.word(), settings.cull.word()];
         let row = |name, word| Row::new(name, vec![Value::Word(word)]);
         Table {
             title: "back-face-conventions",

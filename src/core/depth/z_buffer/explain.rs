@@ -5,7 +5,8 @@ use crate::{
     compare::Fact,
     depth::{CompareFunction, DepthFormat},
     explain::{
-        Explain, Formula, Label, Level, MOST_PIXELS, Mark, Marker, Operations, Piece, Role, Row, Table, View,
+        Explain, Formula, Label, Level, MOST_PIXELS, Mark, Marker, Operations, Piece, Role, Row, Sign, Table,
+        View,
     },
     message::{Message, Value},
     raster::view::view_of,
@@ -67,6 +68,12 @@ impl Explain for Snapshot {
             _ => return None,
         };
         Some(Marker { role, label })
+    }
+
+    fn caption(&self, event: &Event) -> Option<Message> {
+        let label = Self::marker(event)?.label?;
+        let Event::Triangle { index } = *event else { return None };
+        Some(Message::new(label).with("object", self.name_of(Some(index))))
     }
 
     fn opening(&self) -> Message {
@@ -153,6 +160,7 @@ impl Explain for Snapshot {
         if let Some(fragment) = self.fragment {
             out.push(self.cell([fragment.x, self.y], Role::Active));
         }
+        self.legend(out);
     }
 
     fn view(&self) -> View {
@@ -279,6 +287,29 @@ impl Snapshot {
         };
         let object = self.image.owner(pixel).map(|owner| self.names[owner as usize].object);
         Mark::Pixel { at: pixel.map(|n| n as i32), role, object, value }
+    }
+
+    /// What ticks, crosses and outlines mean.
+    fn legend(&self, out: &mut Vec<Mark>) {
+        if self.triangle.is_none() {
+            return;
+        }
+        let mut key = |role, sign, id, name: Value| {
+            out.push(Mark::Key { role, sign, meaning: Message::new(id).with("object", name) });
+        };
+        key(Role::Accepted, Sign::Marker, "z-buffer-key-passed", self.name());
+        key(Role::Rejected, Sign::Marker, "z-buffer-key-failed", self.name());
+        key(Role::Neutral, Sign::Line, "z-buffer-key-object", self.name());
+        let others: Vec<u32> = (0..)
+            .zip(self.names.iter())
+            .map(|(index, _)| index)
+            .filter(|i| Some(*i) != self.triangle)
+            .collect();
+        match others[..] {
+            [] => {}
+            [other] => key(Role::Candidate, Sign::Line, "z-buffer-key-object", self.name_of(Some(other))),
+            _ => key(Role::Candidate, Sign::Line, "z-buffer-key-others", Value::None),
+        }
     }
 
     /// What every pixel holds; a tick or a cross where the triangle was tested.

@@ -5,7 +5,7 @@ use crate::{
     app::App,
     overview::Overview,
     platform::Platform,
-    run::Run,
+    run::{Prepared, Run},
     task::{Busy, News, Progress, Task},
 };
 use egui::Context;
@@ -13,7 +13,7 @@ use rasterscope_core::{
     labs as core_labs,
     message::Message,
     pipeline::{Pipeline, Skips, out_of_range},
-    replay::{Budget, Playback},
+    replay::Budget,
     scene::Scene,
 };
 use std::time::Duration;
@@ -54,7 +54,7 @@ struct Evaluated {
     run: Option<Played>,
 }
 
-type Played = Result<Box<dyn Playback>, Message>;
+type Played = Result<Prepared, Message>;
 
 impl App {
     /// Brings everything up to date, or has it brought; asks for the frame that shows how far it is.
@@ -80,7 +80,7 @@ impl App {
             self.overview.update(scene, self.view.skips);
         }
         if behind.run {
-            let played = core_labs::play(scene, Budget::default());
+            let played = core_labs::play(scene, Budget::default()).map(Prepared::new);
             self.evaluation.take_run(scene.clone(), played, &mut self.run);
         }
         true
@@ -111,7 +111,7 @@ impl App {
                 pipeline
             });
             progress.tell(usize::from(pipeline.is_some()), all);
-            let run = behind.run.then(|| core_labs::play(&given, Budget::default()));
+            let run = behind.run.then(|| core_labs::play(&given, Budget::default()).map(Prepared::new));
             Evaluated { pipeline, run }
         });
         self.evaluation.pending = Some(Pending { scene, skips, image, wanted: Some(()), task });
@@ -178,8 +178,8 @@ impl App {
 impl Evaluation {
     fn take_run(&mut self, scene: Scene, played: Played, run: &mut Run) {
         let problem = match played {
-            Ok(playback) => {
-                run.set(playback);
+            Ok(prepared) => {
+                run.set(prepared);
                 if let Some(step) = self.step.take() {
                     run.seek(step);
                 }

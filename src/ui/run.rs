@@ -27,6 +27,24 @@ pub(crate) struct Shown {
     pub(crate) rev: u64,
 }
 
+/// What stands on the timeline: marks and words, with their steps.
+type Timeline = (Vec<(usize, Marker)>, Vec<(usize, Message)>);
+
+/// A run with what takes a look at all of its events, so that it can be made beside the window.
+pub(crate) struct Prepared {
+    playback: Box<dyn Playback>,
+    markers: Vec<(usize, Marker)>,
+    captions: Vec<(usize, Message)>,
+}
+
+impl Prepared {
+    /// Prepares a run at its end.
+    pub(crate) fn new(mut playback: Box<dyn Playback>) -> Self {
+        playback.seek(usize::MAX);
+        Self { markers: playback.markers(), captions: playback.captions(), playback }
+    }
+}
+
 /// A playback whose cursor survives that its input changes.
 #[derive(Default)]
 pub(crate) struct Run {
@@ -45,7 +63,8 @@ impl std::fmt::Debug for Run {
 impl Run {
     /// Takes a new run. The cursor stays at its step number, clamped; at the end it stays at the
     /// end.
-    pub(crate) fn set(&mut self, mut playback: Box<dyn Playback>) {
+    pub(crate) fn set(&mut self, prepared: Prepared) {
+        let Prepared { mut playback, markers, captions } = prepared;
         self.runs += 1;
         let same = self
             .shown
@@ -58,7 +77,7 @@ impl Run {
         };
         playback.seek(step);
         self.playback = Some(playback);
-        self.refresh(true);
+        self.refresh(Some((markers, captions)));
     }
 
     /// Forgets the run, as there is none for the document.
@@ -104,17 +123,15 @@ impl Run {
         let before = playback.cursor();
         go(playback.as_mut());
         if playback.cursor() != before {
-            self.refresh(false);
+            self.refresh(None);
         }
     }
 
-    fn refresh(&mut self, new: bool) {
+    fn refresh(&mut self, new: Option<Timeline>) {
         let Some(playback) = &mut self.playback else { return };
         self.rev += 1;
-        let (markers, captions) = match self.shown.take() {
-            Some(shown) if !new => (shown.markers, shown.captions),
-            _ => (playback.markers(), playback.captions()),
-        };
+        let old = self.shown.take().map(|shown| (shown.markers, shown.captions));
+        let (markers, captions) = new.or(old).unwrap_or_default();
         self.shown = Some(Shown {
             cursor: playback.cursor(),
             len: playback.len(),

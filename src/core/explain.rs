@@ -220,10 +220,8 @@ pub enum Mark {
     Run {
         /// The row.
         y: i32,
-        /// First column.
-        begin: i32,
-        /// One past the last column.
-        end: i32,
+        /// First column, and one past the last.
+        columns: [i32; 2],
         /// What they mean.
         role: Role,
         /// Index of the object that they belong to.

@@ -91,6 +91,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "bvh"
     "cohen-sutherland"
     "liang-barsky"
+    "clip-plane"
     "sutherland-hodgman"
     "weiler-atherton"
     "clip-triangle"

@@ -1,5 +1,6 @@
 //! Polygons against a convex region, border by border.
 
+pub mod clip_plane;
 pub mod clip_space;
 pub mod clip_triangle;
 pub mod outline;
@@ -12,7 +13,7 @@ use crate::{
     math::{Arithmetic, Real},
     transform::DepthRange,
 };
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// The algorithms that clip a polygon against a rectangular window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -81,7 +82,7 @@ impl Plane {
 }
 
 /// Which planes clip.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PlaneSet {
     /// All six.

@@ -88,9 +88,17 @@ pub fn clip(segment: Segment, window: &Window) -> Option<Segment> {
 /// Allocates only if `kept` has no room for all of them.
 pub fn clip_all(segments: &[Segment], window: &Window, kept: &mut Vec<Kept>) {
     kept.reserve(segments.len());
-    kept.extend(segments.iter().enumerate().filter_map(|(index, segment)| {
-        clip(*segment, window).map(|segment| Kept { index: index as u32, segment })
-    }));
+    // What is not visible is overwritten: no branch asks.
+    let mut block = [Kept { index: 0, segment: [[0.0; 2]; 2] }; 64];
+    for (first, segments) in (0..).step_by(block.len()).zip(segments.chunks(block.len())) {
+        let mut visible = 0;
+        for (index, &given) in (first..).zip(segments) {
+            let part = clip(given, window);
+            block[visible] = Kept { index, segment: part.unwrap_or(given) };
+            visible += usize::from(part.is_some());
+        }
+        kept.extend_from_slice(&block[..visible]);
+    }
 }
 
 /// [`clip`] in any arithmetic as a run that can be scrubbed.
@@ -131,7 +139,8 @@ fn run<F: Form, T: Tracer<Event>>(mut ends: F, t: &mut T) -> Option<Segment> {
         t.emit(|| Event::Code { end, code });
         code
     });
-    if is_rejected(codes, t) {
+    let mut rejected = is_rejected(codes, t);
+    if rejected {
         return None;
     }
     if codes != [Outcode(0); 2] {
@@ -141,7 +150,8 @@ fn run<F: Form, T: Tracer<Event>>(mut ends: F, t: &mut T) -> Option<Segment> {
         for border in Border::ALL {
             let [c1, c2] = codes;
             let end = End::beyond(border, codes);
-            // Untraced and exact, cutting nothing costs less than a branch that cannot be foreseen.
+            // Untraced and exact, cutting nothing, or in vain, costs less than a branch that cannot be
+            // foreseen.
             if (T::ENABLED || F::ROUNDS) && !Outcode(c1.0 ^ c2.0).has(border) {
                 continue;
             }
@@ -153,7 +163,8 @@ fn run<F: Form, T: Tracer<Event>>(mut ends: F, t: &mut T) -> Option<Segment> {
                 code: codes[end as usize],
                 to: ends.segment()[end as usize],
             });
-            if is_rejected(codes, t) {
+            rejected |= is_rejected(codes, t);
+            if (T::ENABLED || F::ROUNDS) && rejected {
                 return None;
             }
             if F::ROUNDS {
@@ -161,7 +172,8 @@ fn run<F: Form, T: Tracer<Event>>(mut ends: F, t: &mut T) -> Option<Segment> {
             }
         }
         t.emit(|| Event::Accept);
-        return Some(ends.segment());
+        let visible = ends.segment();
+        return if rejected { None } else { Some(visible) };
     }
     t.emit(|| Event::GiveUp);
     None

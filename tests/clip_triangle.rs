@@ -1,13 +1,11 @@
 //! A triangle against clip space: an oracle that enumerates corners, and what neighbours rely on.
 
-use crate::support::Random;
+use crate::support::{Random, Triangle, clipped_corners, cross, dot, unit};
 use rasterscope_core::{
     clip::polygon::{Corner, Origin, Plane, PlaneSet, Polygon, clip_triangle},
     math::{Dyadic, Sign, Tally},
     transform::DepthRange,
 };
-
-type Triangle = [[f32; 4]; 3];
 
 fn clip(triangle: Triangle, range: DepthRange) -> Polygon {
     clip_triangle(triangle, range, PlaneSet::All, &mut Tally::default())
@@ -29,57 +27,8 @@ fn distances(plane: Plane, triangle: Triangle, range: DepthRange) -> [Dyadic; 3]
     })
 }
 
-fn cross(a: &[Dyadic; 3], b: &[Dyadic; 3]) -> [Dyadic; 3] {
-    [[1, 2], [2, 0], [0, 1]].map(|[j, k]| &a[j] * &b[k] - &a[k] * &b[j])
-}
-
-fn dot(a: &[Dyadic; 3], b: &[Dyadic; 3]) -> Dyadic {
-    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
-}
-
-fn unit(i: usize) -> [Dyadic; 3] {
-    [0, 1, 2].map(|j| Dyadic::from(i32::from(i == j)))
-}
-
-/// The corners of the clipped triangle, rounded, in no order: the points where two of the nine lines
-/// (edges and planes in barycentric coordinates) meet and that lie on no wrong side of the others.
 fn oracle(triangle: Triangle, range: DepthRange) -> Vec<[u32; 4]> {
-    let planes = Plane::ALL.map(|plane| distances(plane, triangle, range));
-    let lines: Vec<[Dyadic; 3]> = (0..3).map(unit).chain(planes).collect();
-    let mut corners: Vec<[Dyadic; 3]> = Vec::new();
-    for i in 0..lines.len() {
-        for j in 0..i {
-            let mut point = cross(&lines[i], &lines[j]);
-            let sum = &point[0] + &point[1] + &point[2];
-            if point.iter().all(Dyadic::is_zero) || sum.is_zero() {
-                continue; // the lines are the same, or meet at no point of the plane
-            }
-            if sum.sign() == Sign::Negative {
-                point = point.map(|p| -p);
-            }
-            let inside = lines.iter().all(|line| dot(line, &point).sign() != Sign::Negative);
-            let new = |corner: &[Dyadic; 3]| cross(corner, &point).iter().any(|d| !d.is_zero());
-            if inside && corners.iter().all(new) {
-                corners.push(point);
-            }
-        }
-    }
-    let mut rounded: Vec<_> = corners.iter().map(|corner| at(corner, triangle).map(f32::to_bits)).collect();
-    rounded.sort_unstable();
-    if corners.len() < 3 {
-        rounded.clear();
-    }
-    rounded
-}
-
-/// The point with these barycentric coordinates, times any factor, rounded.
-fn at(weights: &[Dyadic; 3], triangle: Triangle) -> [f32; 4] {
-    let sum = &weights[0] + &weights[1] + &weights[2];
-    if let Some(i) = (0..3).find(|&i| weights[i] == sum) {
-        return triangle[i].map(|c| c + 0.0);
-    }
-    [0, 1, 2, 3]
-        .map(|axis| Dyadic::ratio_to_f32(&dot(weights, &triangle.map(|v| Dyadic::from(v[axis]))), &sum))
+    clipped_corners(triangle, Plane::ALL.into_iter().map(|plane| distances(plane, triangle, range)))
 }
 
 fn weights(origin: Origin, triangle: Triangle, range: DepthRange) -> [Dyadic; 3] {

@@ -5,7 +5,7 @@ use crate::support::{
 };
 use rasterscope_core::{
     clip::line::{
-        Segment, Window,
+        Kept, Segment, Window,
         cohen_sutherland::{self as cs, Event, Snapshot},
     },
     math::{Arithmetic, Tally},
@@ -110,6 +110,22 @@ fn agrees_with_the_rational_oracle_and_keeps_the_laws() {
     }
     coverage.check_every_line::<Snapshot>();
     assert!((5_000..55_000).contains(&visible), "the families are lopsided: {visible} visible");
+}
+
+#[test]
+fn many_at_once_are_the_same_as_one_by_one() {
+    let mut random = Random::new(6);
+    for _ in 0..200 {
+        let (_, window) = line(&mut random);
+        let segments: Vec<_> = (0..50).map(|_| line(&mut random).0).collect();
+        let before = Kept { index: 7, segment: segments[0] };
+        let (mut kept, mut expected) = (vec![before], vec![before]);
+        cs::clip_all(&segments, &window, &mut kept);
+        for (index, segment) in (0..).zip(&segments) {
+            expected.extend(cs::clip(*segment, &window).map(|segment| Kept { index, segment }));
+        }
+        assert_eq!(kept, expected);
+    }
 }
 
 #[test]

@@ -4,8 +4,10 @@
 mod back_face;
 mod bvh;
 mod cli;
+mod clip_plane;
 mod clip_polygon;
 mod clip_triangle;
+mod clip_triangle_steps;
 mod cohen_sutherland;
 mod compare;
 mod compute;
@@ -26,4 +28,5 @@ mod support;
 mod sutherland_hodgman;
 mod tour;
 mod transform;
+mod weiler_atherton;
 mod z_buffer;

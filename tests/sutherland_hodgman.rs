@@ -95,14 +95,15 @@ fn key([x, y]: Point) -> [u32; 2] {
     [x + 0.0, y + 0.0].map(f32::to_bits)
 }
 
-/// Rounded once; corners that become one are one, and less than three are none.
+/// Rounded once; corners that become one are one, and less than three are none, nor are those on a border.
 fn rounded(outline: &[Exact]) -> Vec<[u32; 2]> {
     let mut keys: Vec<_> = outline.iter().map(|[x, y]| key([x.to_f32(), y.to_f32()])).collect();
     keys.dedup();
     while keys.len() > 1 && keys.first() == keys.last() {
         keys.pop();
     }
-    if keys.len() < 3 { Vec::new() } else { rotated(keys) }
+    let flat = |axis: usize| keys.iter().all(|key| key[axis] == keys[0][axis]);
+    if keys.len() < 3 || flat(0) || flat(1) { Vec::new() } else { rotated(keys) }
 }
 
 #[test]

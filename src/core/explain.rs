@@ -393,9 +393,7 @@ pub trait Explain: State {
     fn vantage(&self) -> Option<Vantage> {
         None
     }
-    /// The result so far as facts, in any order: what a comparison of two runs looks at.
-    ///
-    /// Values as computed, not as drawn. Every registered lab has some at the end of every run
-    /// that yields anything (tested).
+    /// The result so far as facts, as computed and in any order: what a comparison of two runs
+    /// looks at. Every registered lab has some (tested).
     fn facts(&self, _out: &mut Vec<Fact>) {}
 }

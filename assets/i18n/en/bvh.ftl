@@ -1,8 +1,8 @@
 # A tree of boxes against the frustum. What stands between two ** is bold.
 
-bvh = Bounding volume hierarchy
-bvh-about = A tree of boxes: one test can reject or accept many objects at once.
-bvh-opening = { $count } boxes become a tree, split { $split }. Then the frustum is tested from the root down.
+bvh = Tree of boxes (BVH)
+bvh-about = A bounding volume hierarchy: one test can reject or accept many objects at once.
+bvh-opening = { $count } boxes become a tree, split by { $split }. Then the frustum is tested from the root down.
 bvh-split = **{ $node }** holds { $count } boxes. It is split across **{ $axis }**: { $left } to one side, { $right } to the other.
 bvh-leaf = **{ $node }** is a leaf: it holds { $count ->
     [one] one box
@@ -41,8 +41,8 @@ bvh-item-rejected = **{ $item }** is **rejected** by the { $plane } plane.
 bvh-item-kept = **{ $item }** is **kept**: no plane has all of it outside.
 bvh-done = { $kept } of { $count } boxes are kept, after **{ $tests }** plane tests. Box by box it would have been { $without }.
 
-bvh-split-median = at the median
-bvh-split-surface-area = by surface area
+bvh-split-median = median
+bvh-split-surface-area = surface
 bvh-split-rule = Split
 bvh-over = Boxes of
 bvh-over-objects = objects

@@ -30,6 +30,7 @@ error-scene-negative = { $path }: the number must be 0 or more.
 error-scene-must-be = { $path }: the number must be { $value }.
 error-scene-range = { $path }: the number must be from { $min } to { $max }.
 error-scene-not-positive = { $path }: the number must be more than 0.
+error-scene-no-power-of-two = { $path }: the number must be a power of two.
 error-scene-field-of-view = { $path }: the angle must be more than 0 and less than 180 degrees.
 error-scene-far-before-near = { $path }: the far plane must lie beyond the near plane.
 error-scene-eye-is-target = { $path }: the camera looks at its own place. Move the target or the eye.
@@ -206,6 +207,24 @@ preset-polygon-crack = Both polygons have the edge V0 V1, in opposite directions
 preset-polygon-two-sides-name = Only two sides cut
 preset-polygon-two-sides = Right at the left and the bottom, wrong at the right and the top: two of the four sides were forgotten.
 
+preset-pieces-convex-name = A: convex, one piece
+preset-pieces-convex = Six crossings, entering and leaving by turns. The ring goes along the polygon and along the border, three times each.
+
+preset-pieces-three-name = B: concave, three pieces
+preset-pieces-three = One polygon falls apart into three. Each piece has a ring of its own, and no bridge joins them.
+
+preset-pieces-holes-name = Two holes, one cut open
+preset-pieces-holes = One hole is inside the window and stays a hole. The other crosses the border and becomes a dent.
+
+preset-pieces-star-name = A star that crosses itself
+preset-pieces-star = By the even-odd rule the middle of the star is outside. One ring that crosses itself leaves it free.
+
+preset-pieces-touching-name = Corners and edges on borders
+preset-pieces-touching = Corners lie on borders and one edge runs along one. The window counts as a trace smaller, so each touch is a plain crossing or none.
+
+preset-pieces-around-name = Around the window, with a hole
+preset-pieces-around = Nothing crosses the border, and the border is inside. The window itself is a ring, and the inner contour is its hole.
+
 preset-span-left-tie-name = One tie on a left edge
 preset-span-left-tie = In row 4 the left edge runs exactly through a pixel centre. A left edge draws it; a right edge would not.
 
@@ -269,7 +288,7 @@ preset-two-sides-rounding = Exactly, the line misses the corner by less than a m
 preset-two-sides-depth-range-name = Split: depth ranges
 preset-two-sides-depth-range = One vertex with depths 0 … 1 and −1 … 1. Clip space and NDC differ in z alone; on the screen both have the same depth.
 
-preset-clip-behind-and-right-name = Behind the eye and to the right
+preset-clip-behind-and-right-name = Behind, and to the right
 preset-clip-behind-and-right = v1 lies behind the eye, v2 to the right. Two planes cut: near is not the first, yet the result is right.
 
 preset-clip-one-in-name = One in, two out
@@ -291,7 +310,7 @@ preset-clip-no-near-name = Mistake: no near plane
 preset-clip-no-near = The part between the near plane and the eye stays. After the divide its depths are outside 0 … 1.
 
 preset-clip-frustum-corner-name = An edge of the frustum
-preset-clip-frustum-corner = All vertices are outside, and the edge between top and right comes through the triangle. That corner is made by the triangle and two planes.
+preset-clip-frustum-corner = Two vertices are outside, each beyond another plane, and the edge between right and top pierces the triangle. That corner is made by the triangle and two planes.
 
 preset-clip-guard-band-name = Guard band keeps it
 preset-clip-guard-band = The right plane stands four times as far out: the triangle reaches over the side of the image, and nothing is cut. The rasterizer does the rest.
@@ -306,7 +325,28 @@ preset-clip-camera-space-name = In camera space
 preset-clip-camera-space = The same cut with points and normals: distances are (v − p) · n, and there is no fourth number.
 
 preset-clip-many-planes-name = Five planes cut
-preset-clip-many-planes = A large triangle reaches over all sides but one. Eight corners are left, and six triangles.
+preset-clip-many-planes = A large triangle reaches over all sides and the far plane. Seven corners are left, and five triangles.
+
+preset-plane-two-in-name = Two in, one out
+preset-plane-two-in = v1 is outside. The quadrangle that is left needs two triangles.
+
+preset-plane-one-in-name = One in, two out
+preset-plane-one-in = The same triangle and plane, but the normal points the other way: now one triangle is left.
+
+preset-plane-three-in-name = All in
+preset-plane-three-in = All three distances are positive: the triangle stays bit for bit, and nothing is divided.
+
+preset-plane-none-in-name = None in
+preset-plane-none-in = All three distances are negative: nothing is left, and nothing is divided.
+
+preset-plane-vertex-on-it-name = A vertex on the plane
+preset-plane-vertex-on-it = v2 lies on the plane, which counts as inside. One crossing is v2 again, and one of both triangles has no area.
+
+preset-plane-slanted-name = Slanted, in f32
+preset-plane-slanted = The plane is slanted and n is not of unit length: distances are multiples of that length, and t does not care. In f32 the new vertices miss the plane by a little.
+
+preset-plane-near-name = The near plane
+preset-plane-near = In camera space the near plane at distance 1 has p = (0, 0, −1) and n = (0, 0, −1). v0 is too near to the eye.
 preset-facing-front-name = Seen from the front
 preset-facing-front = All six tests see the front. Swap two vertices: then all six see the back.
 
@@ -337,7 +377,7 @@ preset-frustum-straddles = The box reaches to both sides of the right plane. So 
 preset-frustum-long-object-name = Long object: sphere too large
 preset-frustum-long-object = The sphere around a long object reaches into the frustum. The box does not: choose it and A is culled.
 
-preset-frustum-corner-name = Outside, but of no single plane
+preset-frustum-corner-name = Outside of no single plane
 preset-frustum-corner = A stands beside an edge of the frustum. No plane has all of it outside, so it is kept, and the clipper finds nothing.
 
 preset-frustum-all-inside-name = All inside
@@ -347,7 +387,7 @@ preset-frustum-behind-the-eye-name = Too near and too far
 preset-frustum-behind-the-eye = One ball is behind the eye and one reaches through the far plane. Depth culls like any other direction.
 
 preset-tree-of-eight-name = Eight objects
-preset-tree-of-eight = Objects that stand together fall together: one test rejects three of them.
+preset-tree-of-eight = Objects that stand together fall together: one node stands for all four at the right.
 
 preset-tree-of-a-hundred-name = A hundred objects
 preset-tree-of-a-hundred = A camera sees a part of a field. The tree accepts and rejects whole regions of it.
@@ -363,3 +403,6 @@ preset-tree-all-outside = All objects stand to the right. The root alone is test
 
 preset-tree-all-inside-name = Everything inside
 preset-tree-all-inside = The root lies inside all planes: six tests for all objects.
+
+preset-two-sides-mistake-name = Split: a mistake
+preset-two-sides-mistake = Left all four sides cut; right only the left and the bottom one, as beginners often leave it. What sticks out is outlined.

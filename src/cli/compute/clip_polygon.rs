@@ -5,7 +5,8 @@ use rasterscope_core::{
         line::{Point, Window},
         polygon::{
             Algorithm,
-            sutherland_hodgman::{self, Mistake, Settings, SideOrder},
+            sutherland_hodgman::{self, Corner, Mistake, Settings, SideOrder},
+            weiler_atherton,
         },
     },
     labs,
@@ -22,6 +23,8 @@ struct Input {
     algorithm: Algorithm,
     window: Window,
     polygon: Vec<Point>,
+    /// Holes and islands: Weiler-Atherton only.
+    contours: Vec<Vec<Point>>,
     settings: Settings,
 }
 
@@ -30,10 +33,18 @@ impl Input {
         let names = ("algorithm", "unknown-algorithm");
         let algorithm = request.choice(names, &Algorithm::ALL, Algorithm::name, &[])?.unwrap_or_default();
         let order = request.choice(("order", "unknown-order"), &SideOrder::ALL, SideOrder::name, &[])?;
+        let contours = match request.optional("contours") {
+            Some(_) if algorithm == Algorithm::SutherlandHodgman => {
+                return Err(Refusal::unsupported("contours", algorithm.name()));
+            }
+            Some(field) => field.items()?.map(|contour| contour.polygon()).collect::<Result<_, _>>()?,
+            None => Vec::new(),
+        };
         Ok(Self {
             algorithm,
             window: request.window()?,
             polygon: request.polygon("polygon")?,
+            contours,
             settings: Settings {
                 arithmetic: request.arithmetic_of(algorithm.arithmetics())?,
                 order: order.unwrap_or_default(),
@@ -43,29 +54,38 @@ impl Input {
     }
 }
 
-/// The corners of what is left, turning like the polygon; pieces that fell apart are joined along the
-/// borders.
+/// What is left of a polygon.
 #[derive(Debug, Serialize)]
-pub(super) struct Answer {
-    polygon: Vec<[f64; 2]>,
+#[serde(rename_all = "lowercase")]
+pub(super) enum Answer {
+    /// The corners, turning like the polygon; pieces that fell apart are joined along the borders.
+    Polygon(Vec<[f64; 2]>),
+    /// Each piece as the ring around it and the rings of its holes.
+    Polygons(Vec<Vec<Vec<[f64; 2]>>>),
 }
 
 pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
-    let Input { window, polygon, settings, .. } = Input::read(request)?;
+    let Input { algorithm, window, polygon, contours, settings } = Input::read(request)?;
+    let ring = |corners: &Vec<Corner>| corners.iter().map(|corner| wide(corner.at)).collect();
+    if algorithm == Algorithm::WeilerAtherton {
+        let contours: Vec<_> = std::iter::once(polygon).chain(contours).collect();
+        let pieces = weiler_atherton::clip(&contours, &window);
+        let rings = pieces.iter().map(|piece| std::iter::once(&piece.outer).chain(&piece.holes).map(ring));
+        return Ok(Answer::Polygons(rings.map(Iterator::collect).collect()));
+    }
     let clipped =
         sutherland_hodgman::clip_traced(&[polygon], &window, settings, &mut Tally::default(), &mut NoTrace);
-    let corners = clipped.iter().flatten().map(|corner| corner.at);
-    if corners.clone().flatten().any(|number| !number.is_finite()) {
+    if clipped.iter().flatten().flat_map(|corner| corner.at).any(|number| !number.is_finite()) {
         return Err(Refusal::overflow(settings.arithmetic));
     }
-    Ok(Answer { polygon: corners.map(wide).collect() })
+    Ok(Answer::Polygon(clipped.first().map_or_else(Vec::new, ring)))
 }
 
 /// The same request as a scene that opens a lab.
 pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
-    let Input { algorithm, window, polygon, settings } = Input::read(request)?;
+    let Input { algorithm, window, polygon, contours, settings } = Input::read(request)?;
     let Settings { arithmetic, order, mistake } = settings;
-    let (window, contours) = (window.array(), Vec::new());
+    let window = window.array();
     let input = labs::ClipPolygon { algorithm, window, polygon, contours, order, arithmetic, mistake };
     Ok(lab_scene([64, 64], input))
 }

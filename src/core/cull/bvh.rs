@@ -9,6 +9,7 @@
 
 mod build;
 mod explain;
+mod nodes;
 mod picture;
 
 pub use build::{Node, Split, Tree, union};

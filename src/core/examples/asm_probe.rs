@@ -3,15 +3,21 @@
 #![expect(unsafe_code, missing_docs, reason = "exported names, never called")]
 
 use rasterscope_core::{
-    clip::line::{
-        Segment, Window, cohen_sutherland,
-        liang_barsky::{self, Visible},
+    clip::{
+        line::{
+            Segment, Window, cohen_sutherland,
+            liang_barsky::{self, Visible},
+        },
+        polygon::{PlaneSet, Polygon, clip_triangle},
     },
     depth::z_buffer::{self, Image, Triangle},
     math::{Arithmetic, Tally},
     raster::{Counts, Settings, Span, scanline},
     trace::NoTrace,
-    transform::chain::{self, Chain, Path},
+    transform::{
+        DepthRange,
+        chain::{self, Chain, Path},
+    },
 };
 
 #[unsafe(no_mangle)]
@@ -22,6 +28,11 @@ pub fn probe_clip_cohen_sutherland(segment: Segment, window: &Window, tally: &mu
 #[unsafe(no_mangle)]
 pub fn probe_clip_liang_barsky(segment: Segment, window: &Window, tally: &mut Tally) -> Option<Visible> {
     liang_barsky::clip_traced(segment, window, Arithmetic::Exact, tally, &mut NoTrace)
+}
+
+#[unsafe(no_mangle)]
+pub fn probe_clip_triangle(vertices: [[f32; 4]; 3], range: DepthRange, tally: &mut Tally) -> Polygon {
+    clip_triangle(vertices, range, PlaneSet::All, tally)
 }
 
 #[unsafe(no_mangle)]

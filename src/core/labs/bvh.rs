@@ -80,7 +80,7 @@ impl Family for Bvh {
 
 /// The boxes of a resolved scene in world space, with their names.
 fn input(scene: &Scene, split: Split, over: Over) -> Input {
-    let (mut boxes, mut names) = (Vec::new(), Vec::new());
+    let (mut boxes, mut names, mut triangles) = (Vec::new(), Vec::new(), Vec::new());
     for (index, draw) in scene.draws.iter().enumerate() {
         let Some(mesh) = draw.geometry.mesh() else { continue };
         let model = model_matrix(&draw.transform);
@@ -99,6 +99,7 @@ fn input(scene: &Scene, split: Split, over: Over) -> Input {
                 for (number, triangle) in (0..).zip(&mesh.triangles) {
                     boxes.push(bvh::union(triangle.iter().map(|&i| world[i as usize])));
                     names.push(triangle_name((index, draw), number, None));
+                    triangles.push(triangle.map(|i| world[i as usize][0]));
                 }
             }
         }
@@ -109,6 +110,7 @@ fn input(scene: &Scene, split: Split, over: Over) -> Input {
     Input {
         boxes: boxes.into(),
         names: names.into(),
+        triangles: triangles.into(),
         split,
         frustum: Frustum::before(&[&view, &projection], scene.depth_range),
         corners: world_frustum(scene),

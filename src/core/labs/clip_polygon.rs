@@ -7,9 +7,10 @@ use crate::{
         polygon::{
             Algorithm,
             sutherland_hodgman::{self, Mistake, Settings, SideOrder},
+            weiler_atherton,
         },
     },
-    compare::Setting,
+    compare::{Choice, Setting},
     math::Arithmetic,
     message::Message,
     replay::{Budget, Playback},
@@ -28,10 +29,11 @@ pub struct ClipPolygon {
     pub window: [f32; 4],
     /// The corners in order, at least three; the last one joins the first.
     pub polygon: Vec<Point>,
-    /// More polygons of the same kind: neighbours, holes, islands.
+    /// More contours: neighbours for Sutherland-Hodgman, which clips each by itself; holes and islands for
+    /// Weiler-Atherton, by the even-odd rule.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub contours: Vec<Vec<Point>>,
-    /// In which order the sides cut.
+    /// In which order the sides cut, side by side.
     #[serde(default)]
     pub order: SideOrder,
     /// What the cuts are computed in.
@@ -99,11 +101,29 @@ impl Family for ClipPolygon {
                 let settings = Settings { arithmetic, order, mistake };
                 Box::new(sutherland_hodgman::play(&self.all(), window, settings, budget))
             }
+            Algorithm::WeilerAtherton => Box::new(weiler_atherton::play(&self.all(), window, budget)),
         })
     }
 
     fn settings(&self, _: &Scene) -> Vec<Setting> {
         self.algorithm.arithmetics().iter().copied().map(Setting::Arithmetic).collect()
+    }
+
+    fn choices(&self) -> Vec<Choice> {
+        let mistakes = [
+            ("null", "mistake-none"),
+            ("\"two-sides\"", "mistake-two-sides"),
+            ("\"either-end\"", "mistake-either-end"),
+        ];
+        let orders = [
+            ("\"left-right-bottom-top\"", "word-side-order-left-right-bottom-top"),
+            ("\"bottom-top-left-right\"", "word-side-order-bottom-top-left-right"),
+            ("\"top-right-bottom-left\"", "word-side-order-top-right-bottom-left"),
+            ("\"left-bottom-right-top\"", "word-side-order-left-bottom-right-top"),
+        ];
+        let mut all = Choice::all("mistake", "compare-mistake", mistakes).to_vec();
+        all.extend(Choice::all("order", "compare-order", orders));
+        all
     }
 
     fn setting(&self, like: Setting) -> Option<Setting> {

@@ -6,7 +6,7 @@ use crate::{
         PlaneSet,
         clip_triangle::{self, Mistake, Pieces, Settings, Space, Subject},
     },
-    compare::Setting,
+    compare::{Choice, Setting},
     math::Arithmetic,
     message::Message,
     replay::{Budget, Playback},
@@ -39,7 +39,10 @@ pub struct ClipTriangle {
     pub space: Space,
     /// Against which planes.
     #[serde(default)]
-    pub planes: PlaneSet,
+    pub planes: Planes,
+    /// How many times as far out the sides of the guard band stand: a power of two, at least 2.
+    #[serde(default = "guard")]
+    pub guard: u32,
     /// What the result is made of.
     #[serde(default)]
     pub pieces: Pieces,
@@ -51,8 +54,25 @@ pub struct ClipTriangle {
     pub arithmetic: Arithmetic,
 }
 
+/// Which planes clip.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Planes {
+    /// All six.
+    #[default]
+    All,
+    /// The near plane alone.
+    Near,
+    /// All six, the sides farther apart.
+    Guard,
+}
+
 fn attribute() -> [f32; 3] {
     [0.0, 1.0, 0.5]
+}
+
+fn guard() -> u32 {
+    4
 }
 
 impl ClipTriangle {
@@ -64,7 +84,12 @@ impl ClipTriangle {
     /// What is run.
     pub fn subject(&self, scene: &Scene) -> Subject {
         let viewport = Viewport { size: scene.size, depth_range: scene.depth_range, y_axis: scene.y_axis };
-        let Self { space, planes, pieces, mistake, arithmetic, .. } = *self;
+        let Self { space, pieces, mistake, arithmetic, .. } = *self;
+        let planes = match self.planes {
+            Planes::All => PlaneSet::All,
+            Planes::Near => PlaneSet::Near,
+            Planes::Guard => PlaneSet::Guard(self.guard.ilog2() as u8),
+        };
         Subject::new(
             (self.corners(scene), self.attribute),
             (scene.camera, viewport.aspect()),
@@ -99,7 +124,8 @@ impl Family for ClipTriangle {
             triangle: 0,
             attribute: attribute(),
             space: Space::default(),
-            planes: PlaneSet::default(),
+            planes: Planes::default(),
+            guard: guard(),
             pieces: Pieces::default(),
             mistake: Mistake::default(),
             arithmetic: Arithmetic::default(),
@@ -119,12 +145,10 @@ impl Family for ClipTriangle {
             each_finite(vertex).map_err(|e| e.within(i).within("vertices"))?;
         }
         each_finite(&self.attribute).map_err(|e| e.within("attribute"))?;
-        let range = Problem::Range { min: 1.0, max: f64::from(PlaneSet::MOST_GUARD) };
-        let power = match self.planes {
-            PlaneSet::Guard(power) => power,
-            PlaneSet::All | PlaneSet::Near => 1,
-        };
-        refuse_if(!(1..=PlaneSet::MOST_GUARD).contains(&power), "planes", range)?;
+        let most = 1 << PlaneSet::MOST_GUARD;
+        let range = Problem::Range { min: 2.0, max: f64::from(most) };
+        refuse_if(!(2..=most).contains(&self.guard), "guard", range)?;
+        refuse_if(!self.guard.is_power_of_two(), "guard", Problem::NoPowerOfTwo)?;
         let problem = Problem::UnknownName {
             name: self.arithmetic.name().into(),
             known: ARITHMETICS.map(Arithmetic::name).to_vec(),
@@ -139,6 +163,28 @@ impl Family for ClipTriangle {
     fn settings(&self, _: &Scene) -> Vec<Setting> {
         let ranges = DepthRange::ALL.map(Setting::DepthRange);
         ARITHMETICS.map(Setting::Arithmetic).into_iter().chain(ranges).collect()
+    }
+
+    fn choices(&self) -> Vec<Choice> {
+        let mistakes = [
+            ("\"none\"", "mistake-none"),
+            ("\"divide-first\"", "mistake-divide-first"),
+            ("\"no-near-plane\"", "mistake-no-near-plane"),
+            ("\"no-attributes\"", "mistake-no-attributes"),
+            ("\"walk-order\"", "mistake-walk-order"),
+        ];
+        let spaces = [("\"clip\"", "word-space-clip"), ("\"camera\"", "word-space-camera")];
+        let planes = [
+            ("\"all\"", "word-planes-all"),
+            ("\"near\"", "word-planes-near"),
+            ("\"guard\"", "word-planes-guard"),
+        ];
+        let pieces = [("\"polygon\"", "word-pieces-polygon"), ("\"triangles\"", "word-pieces-triangles")];
+        let mut all = Choice::all("mistake", "compare-mistake", mistakes).to_vec();
+        all.extend(Choice::all("space", "compare-space", spaces));
+        all.extend(Choice::all("planes", "compare-planes", planes));
+        all.extend(Choice::all("pieces", "compare-pieces", pieces));
+        all
     }
 
     fn setting(&self, like: Setting) -> Option<Setting> {

@@ -55,6 +55,13 @@ const TOPICS: &[(&str, &[Topic])] = &[
         ],
     ),
     ("weiler-atherton", &[at(ITALIAN, "Clipping di un poligono")]),
+    (
+        "clip-plane",
+        &[
+            at(TUZLA, "Odsijecanje: Testiranje unutar/izvan"),
+            at(TUZLA, "Odsijecanje: Presijecanje stranica/ravan"),
+        ],
+    ),
     ("clip-triangle", &[at(TUZLA, "Odsijecanje: Presijecanje stranica/ravan"), at(SLOVENE, "Rezanje")]),
     (
         "back-face",

@@ -26,6 +26,15 @@ impl Bounding {
     /// All three, the default first.
     pub const ALL: [Self; 3] = [Self::Box, Self::Sphere, Self::Tree];
 
+    /// The name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Box => "box",
+            Self::Sphere => "sphere",
+            Self::Tree => "tree",
+        }
+    }
+
     /// For each draw a plane that all of it lies outside of, if one is found. Never wrong.
     pub(super) fn outside(self, draws: &[DrawOutputs], shared: &Shared<'_>) -> Vec<Option<Plane>> {
         let range = shared.scene.depth_range;

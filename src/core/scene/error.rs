@@ -113,6 +113,8 @@ pub enum Problem {
     },
     /// Must be more than zero.
     NotPositive,
+    /// Must be a power of two.
+    NoPowerOfTwo,
     /// The field of view must be between 0 and 180 degrees, exclusively.
     FieldOfView,
     /// The far plane must lie beyond the near plane.
@@ -244,6 +246,7 @@ impl Problem {
                 Message::new("error-scene-range").with("min", limit(*min)).with("max", limit(*max))
             }
             Self::NotPositive => Message::new("error-scene-not-positive"),
+            Self::NoPowerOfTwo => Message::new("error-scene-no-power-of-two"),
             Self::FieldOfView => Message::new("error-scene-field-of-view"),
             Self::FarBeforeNear => Message::new("error-scene-far-before-near"),
             Self::EyeIsTarget => Message::new("error-scene-eye-is-target"),

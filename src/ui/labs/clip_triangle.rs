@@ -9,12 +9,9 @@ use crate::{
 };
 use egui::Ui;
 use rasterscope_core::{
-    clip::polygon::{
-        PlaneSet,
-        clip_triangle::{Mistake, Pieces, Space},
-    },
+    clip::polygon::clip_triangle::{Mistake, Pieces, Space},
     explain::{Marker, Role},
-    labs::{self, LabInput},
+    labs::{self, LabInput, Planes},
     math::Arithmetic,
 };
 
@@ -30,13 +27,14 @@ impl Lab for ClipTriangle {
     fn controls(&self, ui: &mut Ui, face: &Face<'_>, document: &mut Document, view: &mut ViewState) {
         let LabInput::ClipTriangle(mut input) = *document.input() else { return };
         heading(ui, face, &face.say("ui-conventions"));
-        let spaces = [(Space::Clip, face.say("ui-space-clip")), (Space::Camera, face.say("ui-space-camera"))];
+        let spaces =
+            [(Space::Clip, face.say("word-space-clip")), (Space::Camera, face.say("word-space-camera"))];
         choices::choose(ui, face, "ui-space", &mut input.space, &spaces);
         depth_range(ui, face, document);
-        planes(ui, face, &mut input.planes);
+        planes(ui, face, &mut input);
         let pieces = [
-            (Pieces::Polygon, face.say("ui-pieces-polygon")),
-            (Pieces::Triangles, face.say("ui-pieces-triangles")),
+            (Pieces::Polygon, face.say("word-pieces-polygon")),
+            (Pieces::Triangles, face.say("word-pieces-triangles")),
         ];
         choices::choose(ui, face, "ui-pieces", &mut input.pieces, &pieces);
         let all =
@@ -44,14 +42,14 @@ impl Lab for ClipTriangle {
         choices::choose(ui, face, "ui-arithmetic", &mut input.arithmetic, &all);
         choices::snapping(ui, face, view);
         heading(ui, face, &face.say("ui-mistakes"));
-        for (mistake, name) in [
-            (Mistake::DivideFirst, "ui-mistake-divide-first"),
-            (Mistake::NoNearPlane, "ui-mistake-no-near-plane"),
-            (Mistake::NoAttributes, "ui-mistake-no-attributes"),
-            (Mistake::WalkOrder, "ui-mistake-walk-order"),
+        for (mistake, words) in [
+            (Mistake::DivideFirst, ["mistake-divide-first", "mistake-divide-first-effect"]),
+            (Mistake::NoNearPlane, ["mistake-no-near-plane", "mistake-no-near-plane-effect"]),
+            (Mistake::NoAttributes, ["mistake-no-attributes", "mistake-no-attributes-effect"]),
+            (Mistake::WalkOrder, ["mistake-walk-order", "mistake-walk-order-effect"]),
         ] {
             let mut on = input.mistake == mistake;
-            choices::check(ui, face, name, &mut on);
+            choices::mistake(ui, face, words, &mut on);
             match (on, input.mistake == mistake) {
                 (true, false) => input.mistake = mistake,
                 (false, true) => input.mistake = Mistake::None,
@@ -111,19 +109,15 @@ impl Lab for ClipTriangle {
 }
 
 /// Which planes clip; a guard band has a factor.
-fn planes(ui: &mut Ui, face: &Face<'_>, planes: &mut PlaneSet) {
-    let kept = match *planes {
-        PlaneSet::Guard(power) => PlaneSet::Guard(power),
-        PlaneSet::All | PlaneSet::Near => PlaneSet::Guard(2),
-    };
+fn planes(ui: &mut Ui, face: &Face<'_>, input: &mut labs::ClipTriangle) {
     let all = [
-        (PlaneSet::All, face.say("ui-planes-all")),
-        (PlaneSet::Near, face.say("ui-planes-near")),
-        (kept, face.say("ui-planes-guard")),
+        (Planes::All, face.say("word-planes-all")),
+        (Planes::Near, face.say("word-planes-near")),
+        (Planes::Guard, face.say("word-planes-guard")),
     ];
-    choices::choose(ui, face, "ui-planes", planes, &all);
-    if let PlaneSet::Guard(power) = planes {
-        let factors = [1, 2, 3, 4, 8, 16].map(|power| (power, PlaneSet::Guard(power).guard().to_string()));
-        choices::choose(ui, face, "ui-guard", power, &factors);
+    choices::choose(ui, face, "ui-planes", &mut input.planes, &all);
+    if input.planes == Planes::Guard {
+        let factors = [2, 4, 8, 16, 256, 65_536].map(|factor: u32| (factor, factor.to_string()));
+        choices::choose(ui, face, "ui-guard", &mut input.guard, &factors);
     }
 }

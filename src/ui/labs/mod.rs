@@ -6,6 +6,7 @@
 mod back_face;
 mod bvh;
 mod clip_line;
+mod clip_plane;
 mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
@@ -17,6 +18,7 @@ mod placing;
 mod scanline;
 mod sutherland_hodgman;
 mod transform;
+mod weiler_atherton;
 mod window;
 mod z_buffer;
 
@@ -134,8 +136,10 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(bvh::Bvh),
         Box::new(cohen_sutherland::LAB),
         Box::new(liang_barsky::LAB),
+        Box::new(clip_plane::ClipPlane),
         Box::new(clip_triangle::ClipTriangle),
         Box::new(sutherland_hodgman::LAB),
+        Box::new(weiler_atherton::LAB),
         Box::new(scanline::Scanline),
         Box::new(z_buffer::ZBuffer),
     ]

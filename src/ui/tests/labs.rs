@@ -1,6 +1,7 @@
 use super::*;
 use crate::document::Tab;
 use egui::{Key, Modifiers};
+use rasterscope_core::labs::LabInput;
 
 /// Every registered lab: step, back, scrub, edit by handle, undo, redo.
 #[test]
@@ -212,4 +213,26 @@ fn the_triangles_of_a_run_are_named_on_the_timeline() {
     let captions = &app.run.shown().expect("it runs").captions;
     let captions: Vec<String> = captions.iter().map(|(_, caption)| app.words.message(caption)).collect();
     assert_eq!(captions, ["A.1", "A.2", "B"]);
+}
+
+#[test]
+fn a_vertex_in_space_is_dragged_and_turning_the_camera_is_no_edit() {
+    let mut window = window(1280.0, 720.0);
+    window.state_mut().app_mut().open_preset("clip-one-in");
+    window.run();
+    let vertices = |window: &Window| match window.state().app().document.input() {
+        LabInput::ClipTriangle(input) => input.vertices,
+        other => panic!("{} is open", other.name()),
+    };
+    let (before, runs) = (vertices(&window), window.state().app().run.runs());
+    let canvas = place(&window, "Canvas");
+    let corner = canvas.min + vec2(30.0, 30.0);
+    drag(&mut window, corner, corner + vec2(60.0, 20.0));
+    let app = window.state().app();
+    assert!(app.view.outside.is_some() && app.run.runs() == runs, "turned, not run");
+    assert_eq!(vertices(&window), before);
+    let from = place(&window, "v0").center();
+    drag(&mut window, from, from + vec2(50.0, -40.0));
+    assert_ne!(vertices(&window), before);
+    assert!(window.state().app().history.can_undo());
 }

@@ -11,7 +11,7 @@ mod formulas;
 
 pub use explain::Snapshot;
 
-use super::{Border, End, Outcode, Point, Segment, Window};
+use super::{Border, End, Kept, Outcode, Point, Segment, Window};
 use crate::{
     math::{Arithmetic, Tally},
     replay::{Budget, Player},
@@ -81,6 +81,16 @@ const _: () = assert!(size_of::<Event>() <= 16);
 #[inline(always)]
 pub fn clip(segment: Segment, window: &Window) -> Option<Segment> {
     run(Exact::new(&segment, window, &mut Tally::default()), &mut NoTrace)
+}
+
+/// [`clip`] for each of many segments: appends what is visible of them, in order, with their indices.
+///
+/// Allocates only if `kept` has no room for all of them.
+pub fn clip_all(segments: &[Segment], window: &Window, kept: &mut Vec<Kept>) {
+    kept.reserve(segments.len());
+    kept.extend(segments.iter().enumerate().filter_map(|(index, segment)| {
+        clip(*segment, window).map(|segment| Kept { index: index as u32, segment })
+    }));
 }
 
 /// [`clip`] in any arithmetic as a run that can be scrubbed.
@@ -162,10 +172,9 @@ fn run<F: Form, T: Tracer<Event>>(mut ends: F, t: &mut T) -> Option<Segment> {
 fn is_rejected<T: Tracer<Event>>([c1, c2]: [Outcode; 2], t: &mut T) -> bool {
     let [or, and] = [Outcode(c1.0 | c2.0), Outcode(c1.0 & c2.0)];
     t.emit(|| Event::Or { code: or });
-    if or.0 == 0 {
-        return false;
+    if or.0 != 0 {
+        t.emit(|| Event::And { code: and });
     }
-    t.emit(|| Event::And { code: and });
     if and.0 != 0 {
         t.emit(|| Event::Reject);
     }

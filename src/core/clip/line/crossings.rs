@@ -33,11 +33,11 @@ pub(super) struct Crossings<'a> {
 const TINY: f64 = 1e-290;
 
 impl<'a> Crossings<'a> {
-    /// Of the line through the ends of `segment`, which are not the same; `tally` counts the signs and
-    /// the roundings.
+    /// Of the line through the ends of `segment`, which are not the same; `tally` counts the signs as
+    /// one decision and the roundings as one.
     #[inline(always)]
     pub(super) fn new(segment: &Segment, window: &'a Window, tally: &mut Tally) -> Self {
-        tally.calls += 8;
+        tally.calls += 2;
         let [[x1, y1], [x2, y2]] = segment.map(|p| p.map(f64::from));
         let (dx, dy) = (x2 - x1, y2 - y1);
         let borders = Border::ALL.map(|border| f64::from(window.at(border)));
@@ -51,12 +51,13 @@ impl<'a> Crossings<'a> {
         let margins: [_; 4] =
             from_fn(|i: usize| ORIENT2D_FILTER * (minuends[i].abs() + subtrahends[i].abs()) - sides[i].abs());
         let codes = if margins.iter().fold(1, |all, margin| all & is_negative(*margin)) == 1 {
-            let signs = [sides[0], sides[1], sides[2], sides[3], dx, dy];
-            CODES[signs.iter().rev().fold(0, |index, sign| index << 1 | is_negative(*sign) as usize)]
+            // Bytes to bits at once: the product brings the lowest bit of each into the highest byte.
+            let bytes = u32::from_le_bytes(sides.map(|side| is_negative(side) as u8));
+            let index = bytes.wrapping_mul(0x0102_0408) >> 24 & 0b1111;
+            CODES[index as usize | (is_negative(dx) << 4 | is_negative(dy) << 5) as usize]
         } else {
-            let (codes, exact) = careful_codes(segment, window);
-            tally.exact += exact;
-            codes
+            tally.exact += 1;
+            careful_codes(segment, window, sides, margins)
         };
 
         let greater = |a: f64, b: f64| if a > b { a } else { b };
@@ -68,9 +69,8 @@ impl<'a> Crossings<'a> {
         let along = if (0..4).fold(0, |differing, i| differing | low[i].to_bits() ^ high[i].to_bits()) == 0 {
             low
         } else {
-            let (along, exact) = careful_places(segment, window);
-            tally.exact += exact;
-            along
+            tally.exact += 1;
+            careful_places(segment, window, [low, high])
         };
         Self { window, codes, along }
     }
@@ -125,14 +125,17 @@ const fn codes_by_signs([ur, ul, lr, ll]: [i8; 4], [dx, dy]: [i8; 2]) -> u16 {
         | code([ul * dx < 0, ll * dx > 0, false, false]) << 12
 }
 
-/// The codes where a corner is nearly on the line, or on it, and how many signs needed the exact tail.
+/// The codes where a corner is nearly on the line, or on it.
 #[cold]
 #[inline(never)]
-fn careful_codes(&[p, q]: &Segment, window: &Window) -> (u16, u64) {
-    let mut tally = Tally::default();
-    let [ll, lr, ur, ul] = window.corners().map(|corner| number(orient2d(p, q, corner, &mut tally)));
-    let direction = [0, 1].map(|axis| number(Sign::of(f64::from(q[axis]) - f64::from(p[axis]))));
-    (codes_by_signs([ur, ul, lr, ll], direction), tally.exact)
+fn careful_codes(&[p, q]: &Segment, window: &Window, sides: [f64; 4], margins: [f64; 4]) -> u16 {
+    let Window { xmin, ymin, xmax, ymax } = *window;
+    let corners = [[xmax, ymax], [xmin, ymax], [xmax, ymin], [xmin, ymin]];
+    let corners = from_fn(|i| match margins[i] < 0.0 {
+        true => number(Sign::of(sides[i])),
+        false => number(orient2d(p, q, corners[i], &mut Tally::default())),
+    });
+    codes_by_signs(corners, [0, 1].map(|axis| number(Sign::of(f64::from(q[axis]) - f64::from(p[axis])))))
 }
 
 fn number(sign: Sign) -> i8 {
@@ -144,16 +147,17 @@ fn number(sign: Sign) -> i8 {
 }
 
 /// The places where one of them is nearly halfway between two numbers, or zero, or where the line is
-/// parallel to a border; and how many needed the exact tail.
+/// parallel to a border.
 #[cold]
 #[inline(never)]
-fn careful_places(segment: &Segment, window: &Window) -> ([f32; 4], u64) {
-    let mut tally = Tally::default();
-    let along = Border::ALL.map(|border| {
-        let (axis, c) = (border.axis(), window.at(border));
+fn careful_places(segment: &Segment, window: &Window, [low, high]: [[f32; 4]; 2]) -> [f32; 4] {
+    Border::ALL.map(|border| {
+        let (axis, c, i) = (border.axis(), window.at(border), border as usize);
         let [a1, a2] = segment.map(|p| p[axis]);
         let crosses = a1 != a2 && (a1 <= c && c <= a2 || a2 <= c && c <= a1);
-        if crosses { intersection(*segment, border, window, &mut tally)[1 - axis] } else { 0.0 }
-    });
-    (along, tally.exact)
+        if low[i].to_bits() == high[i].to_bits() || !crosses {
+            return low[i];
+        }
+        intersection(*segment, border, window, &mut Tally::default())[1 - axis]
+    })
 }

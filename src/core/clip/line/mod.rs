@@ -26,6 +26,15 @@ pub type Point = [f32; 2];
 /// Both ends of a segment, in the order given.
 pub type Segment = [Point; 2];
 
+/// The visible part of one of many segments.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kept {
+    /// Which segment it was; the first is 0.
+    pub index: u32,
+    /// What is visible of it.
+    pub segment: Segment,
+}
+
 /// The algorithms of this stage.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Algorithm {
@@ -256,7 +265,7 @@ pub(in crate::clip) fn view(points: impl IntoIterator<Item = Point>, window: &Wi
     }
     for axis in 0..2 {
         // Room for what stands in the outer regions; capped so that huge inputs stay finite.
-        let margin = ((max[axis] / 2.0 - min[axis] / 2.0) * 0.25).max(0.5);
+        let margin = ((max[axis] / 2.0 - min[axis] / 2.0) * 0.4).max(0.5);
         min[axis] = (min[axis] - margin).max(f32::MIN / 4.0);
         max[axis] = (max[axis] + margin).min(f32::MAX / 4.0);
     }

@@ -1,9 +1,11 @@
 //! Polygons against a convex region, border by border.
 
+pub mod clip_plane;
 pub mod clip_space;
 pub mod clip_triangle;
 pub mod outline;
 pub mod sutherland_hodgman;
+pub mod weiler_atherton;
 
 pub use clip_space::{Corner, Origin, Polygon, clip_triangle};
 
@@ -11,7 +13,7 @@ use crate::{
     math::{Arithmetic, Real},
     transform::DepthRange,
 };
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// The algorithms that clip a polygon against a rectangular window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -19,16 +21,19 @@ pub enum Algorithm {
     /// Side by side: [`sutherland_hodgman`].
     #[default]
     SutherlandHodgman,
+    /// Ring by ring: [`weiler_atherton`].
+    WeilerAtherton,
 }
 
 impl Algorithm {
     /// Every algorithm, the default first.
-    pub const ALL: [Self; 1] = [Self::SutherlandHodgman];
+    pub const ALL: [Self; 2] = [Self::SutherlandHodgman, Self::WeilerAtherton];
 
     /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::SutherlandHodgman => "sutherland-hodgman",
+            Self::WeilerAtherton => "weiler-atherton",
         }
     }
 
@@ -36,6 +41,7 @@ impl Algorithm {
     pub fn arithmetics(self) -> &'static [Arithmetic] {
         match self {
             Self::SutherlandHodgman => &[Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64],
+            Self::WeilerAtherton => &[Arithmetic::Exact],
         }
     }
 }
@@ -76,7 +82,7 @@ impl Plane {
 }
 
 /// Which planes clip.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PlaneSet {
     /// All six.

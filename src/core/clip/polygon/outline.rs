@@ -8,7 +8,7 @@ use crate::{
         Border, Point, Segment, Window,
         intersection::{intersection, side_at},
     },
-    math::{Sign, Tally, orient2d},
+    math::{Sign, Tally, edge_value, orient2d},
 };
 use serde::Serialize;
 use std::cmp::Ordering;
@@ -85,17 +85,45 @@ impl Place {
     }
 }
 
-/// A closed polygon as it was given, and the window: what every decision is made from.
+/// Closed contours as they were given, and the window: what every decision is made from.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Given<'a> {
+    /// The corners of all contours, one contour after the other.
     pub(super) points: &'a [Point],
+    /// Where each contour starts.
+    pub(super) starts: &'a [u32],
     pub(super) window: &'a Window,
 }
 
-impl Given<'_> {
+impl<'a> Given<'a> {
+    /// A single contour.
+    pub(super) fn one(points: &'a [Point], window: &'a Window) -> Self {
+        Self { points, starts: &[0], window }
+    }
+
+    /// The corner that follows in the same contour.
+    #[inline]
+    pub(super) fn next(&self, index: u32) -> u32 {
+        let next = index + 1;
+        let last = next as usize == self.points.len();
+        match self.starts {
+            [start] => {
+                if last {
+                    *start
+                } else {
+                    next
+                }
+            }
+            starts if last || starts.binary_search(&next).is_ok() => {
+                starts[starts.partition_point(|start| *start <= index) - 1]
+            }
+            _ => next,
+        }
+    }
+
+    #[inline]
     pub(super) fn edge(&self, index: u32) -> Segment {
-        let index = index as usize;
-        [self.points[index], self.points[if index + 1 == self.points.len() { 0 } else { index + 1 }]]
+        [index, self.next(index)].map(|index| self.points[index as usize])
     }
 
     /// On which side of a border a corner lies, exactly.
@@ -104,15 +132,20 @@ impl Given<'_> {
     /// one; only of a cut that was rounded onto the border the original edge must be asked.
     #[inline]
     pub(super) fn place(&self, corner: &Corner, border: Border, tally: &mut Tally) -> Place {
-        let (axis, c) = (border.axis(), self.window.at(border));
-        let order = if corner.at[axis] < c {
+        Place::of(self.compare(corner, border.axis(), self.window.at(border), tally), border)
+    }
+
+    /// The order of a corner's exact coordinate and a value.
+    #[inline]
+    pub(super) fn compare(&self, corner: &Corner, axis: usize, value: f32, tally: &mut Tally) -> Ordering {
+        if corner.at[axis] < value {
             Ordering::Less
-        } else if corner.at[axis] > c {
+        } else if corner.at[axis] > value {
             Ordering::Greater
         } else {
             match corner.source {
-                Source::Crossing { edge, border: own } if own.axis() != axis => {
-                    match side_at(self.edge(edge), own, self.window, c, tally) {
+                Source::Crossing { edge, border } if border.axis() != axis => {
+                    match side_at(self.edge(edge), border, self.window, value, tally) {
                         Sign::Negative => Ordering::Less,
                         Sign::Zero => Ordering::Equal,
                         Sign::Positive => Ordering::Greater,
@@ -120,8 +153,7 @@ impl Given<'_> {
                 }
                 _ => Ordering::Equal,
             }
-        };
-        Place::of(order, border)
+        }
     }
 
     /// Where what carries an edge meets a border that lies between the edge's ends.
@@ -151,14 +183,28 @@ impl Given<'_> {
         }
     }
 
+    /// Whether the given polygon certainly turns at each of its corners, so that none needs to be asked
+    /// whether an outline goes straight on there: one pass without a branch.
+    fn turns(&self) -> bool {
+        let (Some(&last), Some(&first)) = (self.points.last(), self.points.first()) else { return true };
+        let turns =
+            |a: Point, b: Point, c: Point| edge_value(a, b, c).sign().is_some_and(|side| !side.is_zero());
+        let inner = self.points.windows(3).fold(true, |all, p| all & turns(p[0], p[1], p[2]));
+        let [before, after] = [self.points.len().saturating_sub(2), 1.min(self.points.len() - 1)];
+        inner && turns(self.points[before], last, first) && turns(last, first, self.points[after])
+    }
+
     /// Whether the outline goes straight on at `b`: exact, since along an axis rounding keeps the order
     /// of different points, and elsewhere only given corners lie between two edges of one line.
     #[inline]
-    fn is_straight(&self, a: &Corner, b: &Corner, c: &Corner, tally: &mut Tally) -> bool {
+    fn is_straight(&self, [a, b, c]: [&Corner; 3], turns: bool, tally: &mut Tally) -> bool {
         let onward = |p: Point, q: Point, axis: usize, r: Point| {
             p[axis] < q[axis] && q[axis] < r[axis] || p[axis] > q[axis] && q[axis] > r[axis]
         };
         if let (Carrier::Edge(i), Carrier::Edge(j)) = (a.next, b.next) {
+            if turns {
+                return false;
+            }
             let ([p, end], [start, r]) = (self.edge(i), self.edge(j));
             return end == b.at
                 && start == b.at
@@ -184,6 +230,7 @@ impl Given<'_> {
         if self.is_on_one_line(corners, tally) {
             return clear(corners, &mut dropped);
         }
+        let turns = self.turns();
         let mut kept = 0;
         for read in 0..corners.len() {
             let corner = corners[read];
@@ -192,7 +239,7 @@ impl Given<'_> {
                 dropped(kept, Why::Repeats);
                 continue;
             }
-            if kept > 1 && self.is_straight(&corners[kept - 2], &corners[kept - 1], &corner, tally) {
+            if kept > 1 && self.is_straight([&corners[kept - 2], &corners[kept - 1], &corner], turns, tally) {
                 kept -= 1;
                 dropped(kept, Why::Straight);
             }
@@ -200,7 +247,7 @@ impl Given<'_> {
             kept += 1;
         }
         corners.truncate(kept);
-        self.close(corners, tally, &mut dropped);
+        self.close(corners, turns, tally, &mut dropped);
         // Rounding can lay what is left on a border.
         let flat = |axis: usize| corners.iter().all(|corner| corner.at[axis] == corners[0].at[axis]);
         if corners.len() < 3 || flat(0) || flat(1) {
@@ -209,16 +256,22 @@ impl Given<'_> {
     }
 
     /// The same where the end of the list meets its start.
-    fn close(&self, corners: &mut Vec<Corner>, tally: &mut Tally, dropped: &mut impl FnMut(usize, Why)) {
+    fn close(
+        &self,
+        corners: &mut Vec<Corner>,
+        turns: bool,
+        tally: &mut Tally,
+        dropped: &mut impl FnMut(usize, Why),
+    ) {
         while corners.len() > 2 {
             let last = corners.len() - 1;
             if corners[last].at == corners[0].at {
                 drop_corner(corners, last, Why::Repeats);
                 dropped(last, Why::Repeats);
-            } else if self.is_straight(&corners[last - 1], &corners[last], &corners[0], tally) {
+            } else if self.is_straight([&corners[last - 1], &corners[last], &corners[0]], turns, tally) {
                 corners.pop();
                 dropped(last, Why::Straight);
-            } else if self.is_straight(&corners[last], &corners[0], &corners[1], tally) {
+            } else if self.is_straight([&corners[last], &corners[0], &corners[1]], turns, tally) {
                 corners.remove(0);
                 dropped(0, Why::Straight);
             } else {

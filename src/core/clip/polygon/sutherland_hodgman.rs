@@ -216,7 +216,7 @@ pub fn clip_into(polygon: &[Point], window: &Window, buffers: &mut Buffers, out:
     // No corner beyond a side: the side changes nothing.
     let cutting = sides.into_iter().filter(|&border| outside.some.has(border));
     let mut tally = Tally::default();
-    let mut form = Exact::new(Given { points: polygon, window }, &mut tally);
+    let mut form = Exact::new(Given::one(polygon, window), &mut tally);
     run(&mut form, cutting, buffers, &mut NoTrace);
     out.extend(buffers.polygon.iter().map(|corner| corner.at));
 }
@@ -271,7 +271,7 @@ pub fn clip_traced<T: Tracer<Event>>(
     let mut results = Vec::new();
     for (index, points) in polygons.iter().enumerate() {
         t.emit(|| Event::Begin { polygon: index as u32 });
-        let (given, sides) = (Given { points, window }, sides.iter().copied());
+        let (given, sides) = (Given::one(points, window), sides.iter().copied());
         let mut buffers = Buffers::default();
         match settings.arithmetic {
             Arithmetic::Exact | Arithmetic::Fixed8 => {
@@ -323,8 +323,10 @@ fn clip_side<F: Form, T: Tracer<Event>>(
     if place != Place::Out {
         out.push(first);
     }
+    out.reserve(polygon.len() + 1);
     let (mut s, mut from) = (first, place);
-    for i in 1..=polygon.len() {
+    let mut i = 1;
+    while i <= polygon.len() {
         // The last edge leads back to the first corner, which has been dealt with.
         let closing = i == polygon.len();
         let (e, to) = if closing { (first, place) } else { (polygon[i], form.place(&polygon[i], border)) };
@@ -355,5 +357,16 @@ fn clip_side<F: Form, T: Tracer<Event>>(
             t.emit(|| Event::Keep);
         }
         (s, from) = (e, to);
+        i += 1;
+        // Where nobody watches, what follows on the same side is taken at once.
+        if !T::ENABLED && !closing && to != Place::On {
+            let same = polygon[i..].iter().take_while(|corner| form.place(corner, border) == to).count();
+            let run = &polygon[i..i + same];
+            if to == Place::In {
+                out.extend_from_slice(run);
+            }
+            s = run.last().copied().unwrap_or(s);
+            i += same;
+        }
     }
 }

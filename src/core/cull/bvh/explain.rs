@@ -1,6 +1,10 @@
 //! What the lab shows of a tree of boxes.
 
-use super::{Aabb, Counts, Event, Found, Split, Tree, picture, tests_without_tree};
+use super::{
+    Aabb, Counts, Event, Found, Split, Tree,
+    nodes::{Fate, node_name},
+    picture, tests_without_tree,
+};
 use crate::{
     clip::polygon::Plane,
     compare::Fact,
@@ -21,28 +25,14 @@ pub struct Input {
     pub boxes: Arc<[Aabb]>,
     /// Their names.
     pub names: Arc<[String]>,
+    /// The triangles that the boxes are around, to be drawn; empty if they are around objects.
+    pub triangles: Arc<[[[f32; 3]; 3]]>,
     /// How the tree is built.
     pub split: Split,
     /// The frustum in world space.
     pub frustum: Frustum,
     /// Its corners, to be drawn.
     pub corners: Option<[[f32; 3]; 8]>,
-}
-
-/// What is known of a node.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) enum Fate {
-    /// It was not looked at.
-    #[default]
-    Unseen,
-    /// It is being tested.
-    Visited,
-    /// Outside this plane.
-    Rejected(Plane),
-    /// Inside all planes.
-    Accepted,
-    /// What is below it is looked at.
-    Crossed,
 }
 
 /// What the user sees between two events: the fold of the events so far.
@@ -59,7 +49,7 @@ pub struct Snapshot {
     pub(super) now: Option<u32>,
     pub(super) item: Option<u32>,
     /// The planes that are still to be tested, and the last one that was.
-    mask: PlaneMask,
+    pub(super) mask: PlaneMask,
     plane: Option<(Plane, Side)>,
     counts: Counts,
     without: u32,
@@ -92,7 +82,7 @@ impl Snapshot {
     }
 
     /// How many boxes lie below a node.
-    fn below(&self, node: u32) -> u32 {
+    pub(super) fn below(&self, node: u32) -> u32 {
         self.tree.nodes()[node as usize].range[1]
     }
 
@@ -105,17 +95,6 @@ impl Snapshot {
             self.known[item as usize] = Some(outside);
         }
     }
-}
-
-/// The name of a node.
-pub(super) fn node_name(node: u32) -> String {
-    format!("#{node}")
-}
-
-fn bits(mask: PlaneMask) -> Value {
-    // Left to right as the planes are tested.
-    let bits = Plane::ALL.into_iter().fold(0, |bits, plane| bits << 1 | u32::from(mask.has(plane)));
-    Value::Bits { bits, width: 6 }
 }
 
 impl State for Snapshot {
@@ -187,16 +166,16 @@ impl Explain for Snapshot {
     const NAME: &'static str = "bvh";
 
     const LISTING: &'static [&'static str] = &[
-        "build: a node of at most 2 boxes is a leaf",
-        "  else split it; its children are the next two",
-        "push the root, with all six planes",
+        "build: 2 boxes or 1 are a leaf",
+        "  else split the node in two",
+        "push the root with all six planes",
         "repeat: pop a node and its planes",
-        "  each of its planes: outside, inside, across?",
-        "  outside one: reject all that is below",
-        "  inside all: accept all that is below",
-        "  across: push both children with those planes",
-        "  a leaf: test its boxes against those planes",
-        "    outside one: reject the box, else keep it",
+        "  test its box against its planes",
+        "  outside one: reject all below it",
+        "  inside all: accept all below it",
+        "  across: push both, with those planes",
+        "  a leaf: test each of its boxes",
+        "    outside one: reject it; else keep",
         "until the stack is empty",
     ];
 
@@ -344,59 +323,6 @@ impl Explain for Snapshot {
                 let word = outside.map_or("bvh-kept", |plane| plane.word());
                 Fact::named(name.clone(), vec![("column-bvh-fate", Value::Word(word))])
             }));
-        }
-    }
-}
-
-impl Snapshot {
-    /// From the root to the node of this step, and its children.
-    fn path(&self) -> Table {
-        let mut nodes: Vec<u32> = self.now.into_iter().collect();
-        while let Some(parent) = nodes.last().and_then(|&node| self.parent(node)) {
-            nodes.push(parent);
-        }
-        nodes.reverse();
-        if let Some(children) = self.now.and_then(|node| self.tree.nodes()[node as usize].children) {
-            nodes.extend(children.into_iter().filter(|&child| (child as usize) < self.built));
-        }
-        let rows = nodes.into_iter().map(|node| {
-            let fate = self.fates[node as usize];
-            let now = self.now == Some(node);
-            let mask = if now && fate != Fate::Unseen { bits(self.mask) } else { Value::BLANK };
-            let cells = vec![self.below(node).into(), mask, fate.word()];
-            Row::new(node_name(node), cells).active(now).role(fate.role())
-        });
-        Table {
-            title: "bvh-path",
-            columns: vec!["column-bvh-boxes", "L R B T N F", "column-bvh-fate"],
-            rows: rows.collect(),
-        }
-    }
-
-    fn parent(&self, node: u32) -> Option<u32> {
-        let is_parent = |of: &super::Node| of.children.is_some_and(|children| children.contains(&node));
-        self.tree.nodes().iter().position(is_parent).map(|at| at as u32)
-    }
-}
-
-impl Fate {
-    fn word(self) -> Value {
-        match self {
-            Self::Unseen => Value::BLANK,
-            Self::Visited => Value::Word("bvh-fate-visited"),
-            Self::Rejected(plane) => Value::Word(plane.word()),
-            Self::Accepted => Value::Word("bvh-fate-accepted"),
-            Self::Crossed => Value::Word("bvh-fate-crossed"),
-        }
-    }
-
-    /// What the node means in the picture.
-    pub(super) fn role(self) -> Option<Role> {
-        match self {
-            Self::Unseen | Self::Visited => None,
-            Self::Rejected(_) => Some(Role::Rejected),
-            Self::Accepted => Some(Role::Accepted),
-            Self::Crossed => Some(Role::Neutral),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{
     Aabb, Event, Snapshot,
-    explain::{Fate, node_name},
+    nodes::{Fate, node_name},
 };
 use crate::explain::{Label, Mark, Role, Solid, Vantage, box_corners};
 
@@ -12,7 +12,7 @@ const TREE: [f32; 3] = [0.95, 0.5, 0.98];
 /// More levels than this are not drawn: their nodes would touch.
 const MOST_LEVELS: u32 = 7;
 
-/// Of more boxes only the middles are drawn.
+/// Of more boxes only the middles are drawn, and of more nodes no mark for one that was gone through.
 const MOST_BODIES: usize = 40;
 
 fn middle([min, max]: Aabb) -> [f32; 3] {
@@ -55,7 +55,13 @@ fn boxes(of: &Snapshot, out: &mut Vec<Mark>) {
             Some(Some(_)) => Role::Rejected,
         };
         let label = now.then(|| Label::name(of.input.names[index].clone()));
-        if few || now {
+        if let Some(&triangle) = of.input.triangles.get(index).filter(|_| !now) {
+            // Of many small ones only what is kept is filled.
+            let kept = role == Role::Accepted;
+            let role = if few || role == Role::Candidate { role } else { Role::Skipped };
+            let (points, object) = (triangle.to_vec(), kept.then_some(0));
+            out.push(Mark::Space(Solid::Polygon { points, role, object, label }));
+        } else if few || now {
             let corners = box_corners(bounds[0], bounds[1]);
             out.push(Mark::Space(Solid::Body { corners, role, label }));
         } else {
@@ -113,7 +119,8 @@ fn tree(of: &Snapshot, event: Option<&Event>, out: &mut Vec<Mark>) {
         let fate = of.fates[index as usize];
         let now = event.is_some() && of.now == Some(index);
         let role = if now { Some(Role::Active) } else { fate.role() };
-        if let Some(role) = role {
+        let marked = now || fate != Fate::Crossed || nodes.len() <= MOST_BODIES;
+        if let (Some(role), true) = (role, marked) {
             let label = now.then(|| Label::name(node_name(index)));
             out.push(Mark::Point { at: place(index), role, label });
         }

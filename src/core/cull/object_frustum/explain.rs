@@ -153,13 +153,13 @@ impl Explain for Snapshot {
 
     const LISTING: &'static [&'static str] = &[
         "for each object: its sphere or box",
-        "  each plane n · p + D: d ← n · m + D; reach r",
+        "  each plane: d ← n · m + D, reach r",
         "    d − r ≥ 0: inside this plane",
         "    d + r < 0: outside this plane",
         "  outside one plane: reject the object",
         "  inside all planes: accept the object",
         "  else test its triangles one by one:",
-        "    all three vertices outside one plane?",
+        "    all vertices outside one plane?",
         "no object is left: stop",
     ];
 

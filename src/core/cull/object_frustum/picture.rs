@@ -12,6 +12,9 @@ use crate::{
 /// Of objects with more triangles only the body is drawn.
 const MOST_TRIANGLES: usize = 600;
 
+/// From so many triangles on their edges are faint.
+const MANY_TRIANGLES: usize = 60;
+
 /// Corners of the circles of a sphere that is not round in the world.
 const CIRCLE: usize = 32;
 
@@ -61,7 +64,7 @@ fn triangles(of: &Snapshot, index: usize, object: &Object, out: &mut Vec<Mark>) 
         let lost = of.lost(index, i);
         let role = if of.triangle == Some((index, i)) {
             Role::Active
-        } else if lost {
+        } else if lost || object.world.len() >= MANY_TRIANGLES {
             Role::Skipped
         } else {
             Role::Candidate

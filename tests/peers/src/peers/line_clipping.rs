@@ -1,11 +1,14 @@
 //! The crate line-clipping: Cohen-Sutherland and Sutherland-Hodgman in binary64.
 
-use super::{Lines, wide};
+use super::{Lines, Polygons, wide};
 use crate::{
     lines::{Segment, Sides},
     measure::Each,
+    polygons::Polygon,
 };
-use line_clipping::{LineSegment, Point, Window, cohen_sutherland::clip_line};
+use line_clipping::{
+    LineSegment, Point, Window, cohen_sutherland::clip_line, sutherland_hodgman::clip_polygon,
+};
 
 fn point(p: [f32; 2]) -> Point {
     let [x, y] = wide(p);
@@ -24,5 +27,15 @@ pub fn lines(segments: &[Segment], sides: Sides, list: &mut Lines) {
         segments.iter().map(|&[p, q]| LineSegment::new(point(p), point(q))).collect(),
         move |segment| clip_line(*segment, window),
         |part| part.map(|LineSegment { p1, p2 }| [[p1.x, p1.y], [p2.x, p2.y]]),
+    )));
+}
+
+pub fn polygons(polygons: &[Polygon], sides: Sides, list: &mut Polygons) {
+    let window = window(sides);
+    list.push(Box::new(Each::new(
+        "line-clipping 0.3.8, Sutherland-Hodgman",
+        polygons.iter().map(|polygon| polygon.iter().map(|&p| point(p)).collect::<Vec<_>>().into()).collect(),
+        move |polygon| clip_polygon(polygon, window),
+        |left| vec![left.vertices.iter().map(|p| [p.x, p.y]).collect()],
     )));
 }

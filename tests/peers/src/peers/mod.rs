@@ -1,7 +1,9 @@
 //! One file a crate: its call, the form it takes its input in, and how its answer is read.
 
 mod agg;
+mod clipper2;
 mod geo;
+mod i_overlay;
 mod line_clipping;
 mod parry;
 mod rasterscope;
@@ -10,6 +12,7 @@ mod s2;
 use crate::{
     lines::{self, Segment, Sides},
     measure::Contender,
+    polygons::{self, Polygon},
 };
 
 /// A list that each crate adds itself to.
@@ -23,6 +26,18 @@ pub fn lines(segments: &[Segment], window: Sides, list: &mut Lines) {
     s2::lines(segments, window, list);
     parry::lines(segments, window, list);
     geo::lines(segments, window, list);
+}
+
+/// A list that each crate adds itself to.
+pub type Polygons = Vec<Box<dyn Contender<polygons::Answer>>>;
+
+/// Everybody who clips polygons.
+pub fn polygons(polygons: &[Polygon], window: Sides, list: &mut Polygons) {
+    rasterscope::polygons(polygons, window, list);
+    line_clipping::polygons(polygons, window, list);
+    clipper2::polygons(polygons, window, list);
+    i_overlay::polygons(polygons, window, list);
+    geo::polygons(polygons, window, list);
 }
 
 /// Binary32 is exact in binary64.

@@ -12,7 +12,7 @@ impl Explain for Snapshot {
     const NAME: &'static str = "clip-triangle";
 
     const LISTING: &'static [&'static str] = &[
-        "mistake: v ← (x / w, y / w, z / w) first",
+        "mistake: v ← (x/w, y/w, z/w) first",
         "for each plane",
         "  no vertex outside: next plane",
         "  all outside: nothing is left; stop",
@@ -21,7 +21,7 @@ impl Explain for Snapshot {
         "    d ≥ 0 at a: keep a",
         "    sides differ: emit t a + (1 − t) b",
         "  polygon ← what was kept and emitted",
-        "round each corner once; equal ones are one",
+        "round each corner; merge equal ones",
         "u ← recomputed at each new corner",
         "triangles ← a fan from one corner",
         "stop",

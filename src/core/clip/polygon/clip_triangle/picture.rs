@@ -149,19 +149,16 @@ impl Snapshot {
 
     /// Every corner with its name: the vertices, and what the planes have made.
     fn draw_corners(&self, out: &mut Vec<Solid>) {
-        let standing = |name: &str| self.corners.iter().position(|corner| corner.name == name);
-        let vertices = (0..3).map(|i| Named {
-            name: format!("v{i}"),
-            origin: Origin::Vertex(i as u8),
-            at: self.vertices[i].map(f64::from),
-            t: None,
-        });
-        let gone = vertices.chain(self.made.iter().cloned());
-        let gone = gone.filter(|corner| {
-            standing(&corner.name).is_none() && !self.next.iter().any(|next| next.name == corner.name)
-        });
-        for corner in gone {
-            out.push(self.point(&corner, Role::Rejected));
+        // Of what was cut off only the vertices are shown: corners that a later plane removed would
+        // clutter the picture.
+        for (i, at) in (0_u8..).zip(self.vertices) {
+            let origin = Origin::Vertex(i);
+            let stands = |corner: &Named| corner.origin == origin;
+            if !self.corners.iter().chain(&self.next).any(stands) {
+                let label = Some(Label::name(format!("v{i}")));
+                let at = self.place(at.map(f64::from));
+                out.push(Solid::Point { at, role: Role::Rejected, label });
+            }
         }
         for (i, corner) in self.corners.iter().enumerate() {
             let role = match self.sides.get(i) {

@@ -23,15 +23,18 @@ impl Snapshot {
                 None if at_hand => places(&self.polygon),
                 None => given.clone(),
             };
-            let cut = standing != *given;
-            if cut {
-                out.extend(segments(given).map(|ends| mark(ends, Role::Rejected)));
-            }
-            let role = if done.is_some() { Role::Accepted } else { Role::Neutral };
+            let role = if done.is_some() { Role::Skipped } else { Role::Neutral };
             out.push(Mark::Polygon { points: standing, role, object: Some(index), label: None });
+            if let Some(corners) = done.or(at_hand.then_some(&self.polygon)) {
+                out.extend(removed(given, corners).map(|ends| mark(ends, Role::Rejected)));
+            }
         }
         for result in &self.results {
-            out.extend(bridges(result, &self.window).into_iter().map(|ends| Mark::Segment {
+            let bridges = bridges(result, &self.window);
+            let edges = result.iter().zip(result.iter().cycle().skip(1)).map(|(a, b)| [a.at, b.at]);
+            let kept = edges.flat_map(|ends| without(ends, &bridges));
+            out.extend(kept.map(|ends| mark(ends, Role::Accepted)));
+            out.extend(bridges.into_iter().map(|ends| Mark::Segment {
                 ends,
                 role: Role::Tie,
                 label: Some(Label::new("", Value::Word("sutherland-hodgman-bridge"))),
@@ -94,7 +97,8 @@ impl Snapshot {
             }
         }
         let here = self.current.unwrap_or_default();
-        for corner in self.polygon.iter().filter(made) {
+        let pending = |corner: &&Corner| !self.out.iter().any(|emitted| emitted.source == corner.source);
+        for corner in self.polygon.iter().filter(made).filter(pending) {
             out.push(Mark::Point { at: corner.at, role: Role::Neutral, label: named(corner, here) });
         }
         for corner in &self.out {
@@ -123,6 +127,42 @@ fn places(corners: &[Corner]) -> Vec<Point> {
     corners.iter().map(|corner| corner.at).collect()
 }
 
-fn segments(points: &[Point]) -> impl Iterator<Item = Segment> {
-    points.iter().zip(points.iter().cycle().skip(1)).map(|(&a, &b)| [a, b])
+/// What an outline has lost of each given edge: up to its first corner on that edge, and from its last.
+fn removed<'a>(given: &'a [Point], corners: &'a [Corner]) -> impl Iterator<Item = Segment> + use<'a> {
+    (0..given.len()).flat_map(move |i| {
+        let next = (i + 1) % given.len();
+        let [p, q] = [given[i], given[next]];
+        let here = |index: usize| corners.iter().any(|c| c.source == Source::Vertex(index as u32));
+        let mut cuts: Vec<Point> = corners
+            .iter()
+            .filter(|c| matches!(c.source, Source::Crossing { edge, .. } if edge as usize == i))
+            .map(|c| c.at)
+            .collect();
+        let along = |cut: &Point| {
+            let run = |axis: usize| (f64::from(cut[axis]) - f64::from(p[axis])).abs();
+            run(0) + run(1)
+        };
+        cuts.sort_by(|a, b| along(a).total_cmp(&along(b)));
+        let before = (!here(i)).then(|| [p, cuts.first().copied().unwrap_or(q)]);
+        let after = (!here(next)).then(|| cuts.last().map(|&cut| [cut, q])).flatten();
+        before.into_iter().chain(after)
+    })
+}
+
+/// What is left of an edge without the bridges on it, which are in order along their border.
+fn without([a, b]: Segment, bridges: &[Segment]) -> Vec<Segment> {
+    let Some(level) = (0..2).find(|&axis| a[axis] == b[axis]) else { return vec![[a, b]] };
+    let free = 1 - level;
+    let (mut from, to) = if a[free] < b[free] { (a, b) } else { (b, a) };
+    let mut kept = Vec::new();
+    for [start, end] in bridges {
+        let on_it = start[level] == a[level] && end[level] == a[level];
+        if on_it && from[free] <= start[free] && end[free] <= to[free] {
+            kept.push([from, *start]);
+            from = *end;
+        }
+    }
+    kept.push([from, to]);
+    kept.retain(|[a, b]| a != b);
+    kept
 }

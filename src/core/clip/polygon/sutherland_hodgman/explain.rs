@@ -271,7 +271,7 @@ impl Snapshot {
     fn corners_table(&self) -> Table {
         let (corners, title) = match (self.side(), self.results.last()) {
             (Some(_), _) => (&self.out, "sutherland-hodgman-out"),
-            (None, Some(result)) if self.polygon.is_empty() => (result, "sutherland-hodgman-result"),
+            (None, Some(result)) if self.polygon.is_empty() => (result, "sutherland-hodgman-polygon"),
             _ => (&self.polygon, "sutherland-hodgman-polygon"),
         };
         let rows = corners.iter().enumerate().map(|(i, corner)| {

@@ -18,6 +18,7 @@ mod interpolate;
 mod liang_barsky;
 mod obj;
 mod pipeline;
+mod polygon_presets;
 mod presets;
 mod render;
 mod replay;

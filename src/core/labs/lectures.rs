@@ -72,7 +72,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
             at(ESTONIAN, "Tagakülgede tuvastamine"),
         ],
     ),
-    ("frustum", &[at(TUZLA, "Culling"), at(SLOVENE, "Izločanje predmetov izven prostora pogleda")]),
+    ("frustum-culling", &[at(TUZLA, "Culling"), at(SLOVENE, "Izločanje predmetov izven prostora pogleda")]),
     ("bvh", &[at(SLOVENE, "Izločanje predmetov izven prostora pogleda")]),
     ("scanline", &[at(TUZLA, "Rasterizacija trougla"), at(RUSSIAN, "«Стандартный» алгоритм")]),
     (

@@ -68,6 +68,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "ui"
     "pipeline"
     "transform"
+    "clip-line"
     "cohen-sutherland"
     "liang-barsky"
     "aabb"

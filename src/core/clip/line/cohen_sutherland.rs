@@ -11,9 +11,9 @@ mod formulas;
 
 pub use explain::Snapshot;
 
-use super::{Border, End, Outcode, Point, Segment, Window};
+use super::{Border, End, Mistake, Mistakes, Outcode, Point, Segment, Window};
 use crate::{
-    math::{Arithmetic, Tally},
+    math::{Arithmetic, Real, Tally},
     replay::{Budget, Player},
     trace::{NoTrace, Tracer},
 };
@@ -23,6 +23,21 @@ use serde::Serialize;
 /// In exact arithmetic each border is cut at most once, so four cuts are enough. Rounded
 /// arithmetic can put a point back outside; after this many cuts it gives up.
 pub const MOST_CUTS: usize = 8;
+
+/// In what, and how wrongly, the algorithm computes; the default is exactly and rightly.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Settings {
+    /// What codes and cuts are computed in.
+    pub arithmetic: Arithmetic,
+    /// What is got wrong on purpose.
+    pub mistakes: Mistakes,
+}
+
+impl From<Arithmetic> for Settings {
+    fn from(arithmetic: Arithmetic) -> Self {
+        Self { arithmetic, mistakes: Mistakes::NONE }
+    }
+}
 
 /// What the algorithm did. At most 16 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -42,6 +57,7 @@ pub enum Event {
     /// Both codes are 0: what is left is inside.
     Accept,
     /// The codes were joined by AND: anything but 0 means that both ends lie beyond one border.
+    /// With [`Mistake::OrForAnd`] it is OR once more.
     And {
         /// The shared bits.
         code: Outcode,
@@ -81,9 +97,15 @@ pub fn clip(segment: Segment, window: &Window) -> Option<Segment> {
 }
 
 /// [`clip`] in any arithmetic as a run that can be scrubbed.
-pub fn play(segment: Segment, window: Window, arithmetic: Arithmetic, budget: Budget) -> Player<Snapshot> {
-    Player::new(Snapshot::new(segment, window, arithmetic), budget, move |t| {
-        clip_traced(segment, &window, arithmetic, &mut Tally::default(), t);
+pub fn play(
+    segment: Segment,
+    window: Window,
+    settings: impl Into<Settings>,
+    budget: Budget,
+) -> Player<Snapshot> {
+    let settings = settings.into();
+    Player::new(Snapshot::new(segment, window, settings), budget, move |t| {
+        clip_traced(segment, &window, settings, &mut Tally::default(), t);
     })
 }
 
@@ -95,19 +117,30 @@ pub fn play(segment: Segment, window: Window, arithmetic: Arithmetic, budget: Bu
 pub fn clip_traced<T: Tracer<Event>>(
     segment: Segment,
     window: &Window,
-    arithmetic: Arithmetic,
+    settings: impl Into<Settings>,
     tally: &mut Tally,
     t: &mut T,
 ) -> Option<Segment> {
+    let Settings { arithmetic, mistakes } = settings.into();
     match arithmetic {
-        Arithmetic::Exact | Arithmetic::Fixed8 => run(Exact::new(segment, window, tally), t),
-        Arithmetic::F32 => run(Taught::<f32>::new(segment, window), t),
-        Arithmetic::F64 => run(Taught::<f64>::new(segment, window), t),
+        Arithmetic::Exact | Arithmetic::Fixed8 => run(Exact::new(segment, window, tally), mistakes, t),
+        Arithmetic::F32 => clip_taught::<f32, T>(segment, window, mistakes, t),
+        Arithmetic::F64 => clip_taught::<f64, T>(segment, window, mistakes, t),
     }
 }
 
+/// As taught, in any rounded arithmetic: what [`clip_traced`] does for `F32` and `F64`.
+pub fn clip_taught<R: Real, T: Tracer<Event>>(
+    segment: Segment,
+    window: &Window,
+    mistakes: Mistakes,
+    t: &mut T,
+) -> Option<Segment> {
+    run(Taught::<R>::new(segment, window, mistakes), mistakes, t)
+}
+
 /// The text of the algorithm, in any form of arithmetic.
-fn run<F: Form, T: Tracer<Event>>(mut ends: F, t: &mut T) -> Option<Segment> {
+fn run<F: Form, T: Tracer<Event>>(mut ends: F, mistakes: Mistakes, t: &mut T) -> Option<Segment> {
     let mut codes = End::ALL.map(|end| {
         let code = ends.code(end);
         t.emit(|| Event::Code { end, code });
@@ -120,8 +153,9 @@ fn run<F: Form, T: Tracer<Event>>(mut ends: F, t: &mut T) -> Option<Segment> {
             t.emit(|| Event::Accept);
             return Some(ends.segment());
         }
-        t.emit(|| Event::And { code: Outcode(c1.0 & c2.0) });
-        if c1.0 & c2.0 != 0 {
+        let shared = if mistakes.has(Mistake::OrForAnd) { c1.0 | c2.0 } else { c1.0 & c2.0 };
+        t.emit(|| Event::And { code: Outcode(shared) });
+        if shared != 0 {
             t.emit(|| Event::Reject);
             return None;
         }

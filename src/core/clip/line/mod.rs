@@ -9,11 +9,14 @@
 pub mod cohen_sutherland;
 mod intersection;
 pub mod liang_barsky;
+mod mistake;
+mod parametric;
+mod subject;
 
-use crate::{
-    explain::{Grid, Piece, View},
-    message::Value,
-};
+pub use mistake::{Mistake, Mistakes};
+pub use parametric::{Course, Parameter};
+
+use crate::{explain::Piece, message::Value};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -225,22 +228,6 @@ impl Outcode {
     pub fn first(self) -> Option<Border> {
         Border::ALL.into_iter().find(|&border| self.has(border))
     }
-}
-
-/// What the labs of this stage show: the segment, the window, and some room around both.
-fn view(segment: Segment, window: &Window) -> View {
-    let [mut min, mut max] = [[window.xmin, window.ymin], [window.xmax, window.ymax]];
-    for axis in 0..2 {
-        for p in segment {
-            min[axis] = min[axis].min(p[axis]);
-            max[axis] = max[axis].max(p[axis]);
-        }
-        // Room for what stands in the outer regions; capped so that huge inputs stay finite.
-        let margin = ((max[axis] / 2.0 - min[axis] / 2.0) * 0.25).max(0.5);
-        min[axis] = (min[axis] - margin).max(f32::MIN / 4.0);
-        max[axis] = (max[axis] + margin).min(f32::MAX / 4.0);
-    }
-    View { min, max, y_up: true, grid: Grid::Units }
 }
 
 /// The numbers of a coordinate at t: `= b1 + t (b2 − b1) = result`.

@@ -1,7 +1,7 @@
 //! The arithmetics in which the text of the algorithm runs.
 
 use super::{
-    super::{Border, End, Point, Segment, Window, intersection::intersection},
+    super::{Border, End, Point, Segment, Window, intersection::intersection, parametric::difference},
     Course, Parameter,
 };
 use crate::math::{Approx, Dyadic, Real, Sign, Tally, orient2d, rounded_ratio};
@@ -31,21 +31,6 @@ fn outward(border: Border) -> Sign {
     }
 }
 
-#[inline]
-fn course(p: Sign) -> Course {
-    match p {
-        Sign::Negative => Course::Enters,
-        Sign::Zero => Course::Parallel,
-        Sign::Positive => Course::Leaves,
-    }
-}
-
-/// The sign of `a - b`, without computing it.
-#[inline]
-fn difference<R: PartialOrd>(a: R, b: R) -> Sign {
-    a.partial_cmp(&b).map_or(Sign::Zero, Sign::from)
-}
-
 /// Decisions and numbers of the exact line.
 pub(super) struct Exact<'a> {
     segment: Segment,
@@ -69,7 +54,7 @@ impl<'a> Exact<'a> {
 impl Form for Exact<'_> {
     #[inline]
     fn course(&self, border: Border) -> Course {
-        course(outward(border) * self.rising(border.axis()))
+        Course::outward(outward(border) * self.rising(border.axis()))
     }
 
     #[inline]
@@ -182,7 +167,7 @@ impl<R: Real> Taught<R> {
 impl<R: Real> Form for Taught<R> {
     fn course(&self, border: Border) -> Course {
         let [p, _] = self.measured[border as usize];
-        course(difference(p, R::ZERO))
+        Course::outward(difference(p, R::ZERO))
     }
 
     fn outside(&self, border: Border) -> bool {

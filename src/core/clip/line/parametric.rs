@@ -1,0 +1,63 @@
+//! What the parametric algorithms share: places on the line, named before they are divided out.
+
+use super::{Border, End};
+use crate::{math::Sign, message::Value};
+use serde::Serialize;
+
+/// What the line does at a border.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Course {
+    /// It comes in.
+    Enters,
+    /// It goes out.
+    Leaves,
+    /// It keeps its distance.
+    Parallel,
+}
+
+impl Course {
+    /// By the sign of how fast the line goes outward.
+    #[inline]
+    pub(super) fn outward(speed: Sign) -> Self {
+        match speed {
+            Sign::Negative => Self::Enters,
+            Sign::Zero => Self::Parallel,
+            Sign::Positive => Self::Leaves,
+        }
+    }
+
+    /// Its word.
+    pub(super) fn word(self) -> Value {
+        Value::Word(match self {
+            Self::Enters => "clip-line-enters",
+            Self::Leaves => "clip-line-leaves",
+            Self::Parallel => "clip-line-parallel",
+        })
+    }
+}
+
+/// A place on the line: where the visible part begins or ends. A fraction, not divided. `B` names
+/// a border: one of four, or an edge by its index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Parameter<B = Border> {
+    /// t = 0 or 1: an end of the segment.
+    Of(End),
+    /// Where it meets a border that is not parallel.
+    At(B),
+}
+
+impl<B> Parameter<B> {
+    /// The border that cuts there, if one does.
+    pub(super) fn border(self) -> Option<B> {
+        match self {
+            Self::At(border) => Some(border),
+            Self::Of(_) => None,
+        }
+    }
+}
+
+/// The sign of `a - b`, without computing it: one comparison.
+#[inline]
+pub(super) fn difference<R: PartialOrd>(a: R, b: R) -> Sign {
+    a.partial_cmp(&b).map_or(Sign::Zero, Sign::from)
+}

@@ -2,6 +2,7 @@
 //! conformance. No display, no network, no clock.
 
 mod cli;
+mod clip_line;
 mod clip_triangle;
 mod cohen_sutherland;
 mod compute;
@@ -9,6 +10,8 @@ mod coverage;
 mod house;
 mod interpolate;
 mod liang_barsky;
+mod midpoint;
+mod nicholl_lee_nicholl;
 mod obj;
 mod pipeline;
 mod presets;

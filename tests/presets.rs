@@ -6,10 +6,11 @@ use rasterscope_core::{
         liang_barsky::{self, Parameter},
     },
     cull::{Facing, facing},
+    labs::{ClipLine, LabInput, Scanline, ZBuffer},
     math::Tally,
     raster::{Settings, aabb},
     replay::{Budget, Playback},
-    scene::{LabInput, Scene, Transform, model, preset},
+    scene::{Scene, Transform, model, preset},
     transform::{
         Viewport,
         chain::{self, Chain, Path},
@@ -155,7 +156,7 @@ fn lines_are_what_their_names_say() {
         ("line-touches-a-corner", ["0001", "1000"], Some([[3.5, 6.5], [3.5, 6.5]])),
         ("line-along-a-border", ["0001", "0010"], Some([[3.5, 6.5], [9.0, 6.5]])),
     ] {
-        let Some(LabInput::ClipLine { window, segment: [x1, y1, x2, y2], .. }) =
+        let Some(LabInput::ClipLine(ClipLine { window, segment: [x1, y1, x2, y2], .. })) =
             scene(name).lab.map(|lab| lab.input)
         else {
             panic!("{name} opens the lab");
@@ -180,11 +181,10 @@ fn parameters_have_the_order_that_their_names_say() {
         ("order-one-cut", "bottom left 0 right 1 top", true),
         ("order-inside", "bottom left 0 1 right top", true),
     ] {
-        let Some(LabInput::ClipLine { algorithm, window, segment: [x1, y1, x2, y2], arithmetic }) =
-            scene(name).lab.map(|lab| lab.input)
-        else {
+        let Some(LabInput::ClipLine(input)) = scene(name).lab.map(|lab| lab.input) else {
             panic!("{name} opens the lab");
         };
+        let ClipLine { algorithm, window, segment: [x1, y1, x2, y2], arithmetic, .. } = input;
         assert_eq!(algorithm, Algorithm::LiangBarsky, "{name}");
         let window = Window::new(window).expect("a window");
         let mut run = liang_barsky::play([[x1, y1], [x2, y2]], window, arithmetic, Budget::default());
@@ -209,7 +209,9 @@ fn spans_are_what_their_names_say() {
         ("span-flat-bottom", &[(2, 2), (3, 3), (4, 4), (5, 5), (6, 7)]),
     ] {
         let scene = scene(name);
-        let Some(LabInput::Scanline { vertices: Some(vertices), .. }) = scene.lab.map(|lab| lab.input) else {
+        let Some(LabInput::Scanline(Scanline { vertices: Some(vertices), .. })) =
+            scene.lab.map(|lab| lab.input)
+        else {
             panic!("{name} opens the lab");
         };
         let mut rows = Vec::new();
@@ -223,7 +225,8 @@ fn spans_are_what_their_names_say() {
 #[test]
 fn fragments_are_as_many_as_in_the_mock() {
     let scene = scene("depth-two-triangles");
-    let Some(LabInput::ZBuffer { triangles: Some(triangles) }) = scene.lab.map(|lab| lab.input) else {
+    let Some(LabInput::ZBuffer(ZBuffer { triangles: Some(triangles) })) = scene.lab.map(|lab| lab.input)
+    else {
         panic!("it opens the lab");
     };
     let pixels = |triangle: &[[f32; 3]; 3]| {

@@ -1,7 +1,7 @@
 //! The player on a long made-up run: bounded memory, seeks, search for a line.
 
 use rasterscope_core::{
-    explain::{Explain, Formula, Grid, Level, Mark, Marker, Role, Table, View},
+    explain::{Explain, Formula, Grid, Level, Mark, Marker, Operations, Role, Table, View},
     message::Message,
     replay::{Budget, Playback, Player, State},
     trace::{Count, Lift, Tracer},
@@ -33,6 +33,10 @@ impl Explain for Sum {
 
     fn level(event: &u32) -> Level {
         if event % 100 == 99 { Level::Row } else { Level::Detail }
+    }
+
+    fn operations(_: &u32) -> Operations {
+        Operations::new(1, 0, 0)
     }
 
     fn marker(event: &u32) -> Option<Marker> {

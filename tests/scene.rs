@@ -1,8 +1,9 @@
 //! Scene files, models and presets: what is read is what was written, and what is wrong is named.
 
 use rasterscope_core::{
+    labs::ClipLine,
     math::Arithmetic,
-    scene::{Lab, LabInput, MODELS, PRESETS, Scene, Shade, Texture, Transform, model, preset},
+    scene::{Lab, MODELS, PRESETS, Scene, Shade, Texture, Transform, model, preset},
 };
 use std::collections::HashSet;
 
@@ -139,13 +140,14 @@ fn every_field_survives_the_round_trip() {
             1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 0.1
         ])
     );
-    let lab = LabInput::ClipLine {
+    let lab = ClipLine {
         algorithm: rasterscope_core::clip::line::Algorithm::CohenSutherland,
         window: [0.0, 0.0, 0.0, 1.0],
         segment: [0.1, 0.2, 0.3, 0.4],
         arithmetic: Arithmetic::F64,
+        mistakes: rasterscope_core::clip::line::Mistakes::NONE,
     };
-    assert_eq!(scene.lab, Some(Lab { step: Some(3), input: lab }));
+    assert_eq!(scene.lab, Some(Lab { step: Some(3), input: lab.into() }));
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! What is wrong with a scene file is named: by its path, or by line and column.
 
 use rasterscope_core::{
+    labs,
     message::{Message, Value},
     scene::{MAX_SCENE_BYTES, Scene, SceneError, preset},
 };
@@ -174,7 +175,7 @@ fn an_image_of_too_many_pixels_is_refused_at_the_limit() {
 fn an_unknown_lab_is_told_the_known_ones() {
     let error = Scene::from_json(br#"{"rasterscope":1,"size":[1,1],"draws":[],"lab":{"name":"x"}}"#);
     let message = error.expect_err("there is no such lab").message();
-    let known = Value::text("cohen-sutherland, liang-barsky, scanline, z-buffer, transform, pipeline");
+    let known = Value::text(labs::ALL.iter().map(|lab| lab.name).collect::<Vec<_>>().join(", "));
     assert_eq!((arg(&message, "name"), arg(&message, "known")), (Some(Value::text("x")), Some(known)));
 }
 

@@ -8,7 +8,7 @@ use rasterscope_core::{
     message::{Message, Value},
     pipeline::out_of_range,
     scene::{
-        Lab, LabInput, MODEL_SIZE, Mesh, PRESETS, Preset, Scene, SceneError, model as built_in_model, preset,
+        Lab, MODEL_SIZE, Mesh, PRESETS, Preset, Scene, SceneError, model as built_in_model, preset,
         scene_from_obj,
     },
 };
@@ -99,15 +99,21 @@ pub(crate) fn make_folder(path: &Path) -> Result<(), Failure> {
 /// What a FILE holds.
 #[derive(Debug)]
 enum Content {
-    Scene(Scene),
+    Scene(Box<Scene>),
     Request(Request),
+}
+
+impl Content {
+    fn scene(scene: Scene) -> Self {
+        Self::Scene(Box::new(scene))
+    }
 }
 
 /// The scene of a FILE with its models loaded; the default preset without a FILE.
 pub fn open_scene(path: Option<&Path>) -> Result<Scene, Failure> {
     let Some(path) = path else { return open_preset(&PRESETS[0]) };
     match open(path)? {
-        Content::Scene(scene) => Ok(scene),
+        Content::Scene(scene) => Ok(*scene),
         Content::Request(_) => {
             Err(Failure::work(&Message::new("error-request-is-no-scene").with("file", name(path))))
         }
@@ -117,7 +123,7 @@ pub fn open_scene(path: Option<&Path>) -> Result<Scene, Failure> {
 /// The scene of a FILE, or of the request that it holds, with `lab` opened on it.
 pub(crate) fn open_lab(lab: &str, path: &Path) -> Result<Scene, Failure> {
     let (mut scene, from_request) = match open(path)? {
-        Content::Scene(scene) => (scene, false),
+        Content::Scene(scene) => (*scene, false),
         Content::Request(request) => {
             let scene = compute::lab(&request).map_err(|refusal| inside(path, &refusal.message))?;
             (in_range(path, scene)?, true)
@@ -129,7 +135,7 @@ pub(crate) fn open_lab(lab: &str, path: &Path) -> Result<Scene, Failure> {
     }
     // What needs no input beyond the scene's triangles starts on any scene that has some.
     match labs::default_input(lab) {
-        Some(input) if !from_request && !matches!(input, LabInput::ClipLine { .. }) => {
+        Some(input) if !from_request && input.is_of_scene() => {
             scene.lab = Some(Lab { step: None, input });
             Ok(scene)
         }
@@ -156,7 +162,7 @@ fn open(path: &Path) -> Result<Content, Failure> {
 fn built_in(path: &Path) -> Option<Result<Content, Failure>> {
     let name = path.to_str()?;
     if let Some(preset) = preset(name.strip_suffix(".json").unwrap_or(name)) {
-        return Some(open_preset(preset).map(Content::Scene));
+        return Some(open_preset(preset).map(Content::scene));
     }
     built_in_model(name).map(|bytes| model(path, bytes))
 }
@@ -178,7 +184,7 @@ fn content(path: &Path, bytes: &[u8]) -> Result<Content, Failure> {
     {
         return Ok(Content::Request(request));
     }
-    scene(path, Scene::from_json(bytes), path.parent()).map(Content::Scene)
+    scene(path, Scene::from_json(bytes), path.parent()).map(Content::scene)
 }
 
 /// Whether one of the first lines is a vertex.
@@ -192,7 +198,7 @@ fn looks_like_obj(text: &[u8]) -> bool {
 fn model(path: &Path, bytes: &[u8]) -> Result<Content, Failure> {
     let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
     let mesh = Mesh::from_obj(bytes).map_err(|error| Failure::work(&error.named(&file).message()))?;
-    in_range(path, scene_from_obj(&file, mesh, MODEL_SIZE)).map(Content::Scene)
+    in_range(path, scene_from_obj(&file, mesh, MODEL_SIZE)).map(Content::scene)
 }
 
 fn scene(path: &Path, scene: Result<Scene, SceneError>, folder: Option<&Path>) -> Result<Scene, Failure> {

@@ -13,7 +13,7 @@ pub fn list(output: &mut dyn Write) -> Result<(), Failure> {
 fn write(output: &mut dyn Write) -> io::Result<()> {
     let about = |name: &'static str| (name, words::of(&format!("{name}-about")));
     let presets = PRESETS.iter().map(|preset| (preset.name, words::of(&format!("preset-{}", preset.name))));
-    section(output, "cli-labs", labs::ALL.map(|lab| about(lab.name)))?;
+    section(output, "cli-labs", labs::ALL.iter().map(|lab| about(lab.name)))?;
     section(output, "cli-algorithms", without_steps().map(about))?;
     section(output, "cli-presets", presets)
 }

@@ -4,6 +4,10 @@
 //! explanation change together. Nothing here knows a colour, a font or a language: a [`Role`] says
 //! what a mark means, a [`Message`] names a sentence.
 
+mod operations;
+
+pub use operations::Operations;
+
 use crate::{
     message::{Message, Value},
     replay::State,
@@ -299,6 +303,8 @@ pub trait Explain: State {
     fn line(event: &Self::Event) -> usize;
     /// How big a step `event` ends.
     fn level(event: &Self::Event) -> Level;
+    /// What the event costs, with the tests before it that report nothing, as the listing states it.
+    fn operations(event: &Self::Event) -> Operations;
     /// Its mark on the timeline, if it deserves one.
     fn marker(event: &Self::Event) -> Option<Marker>;
     /// What is about to happen: the sentence of step 0.

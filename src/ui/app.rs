@@ -16,10 +16,10 @@ use crate::{
 use egui::{Context, Ui};
 use rasterscope_core::{
     history::History,
-    labs as core_labs,
+    labs::{self as core_labs, LabInput},
     message::Message,
     replay::Budget,
-    scene::{LabInput, Scene},
+    scene::Scene,
 };
 use rasterscope_figure::words::Words;
 use std::{cell::RefCell, rc::Rc};
@@ -186,7 +186,7 @@ impl App {
 
     /// Opens a lab of the registry; not an edit, so undo does not close it.
     pub(crate) fn open_lab(&mut self, name: &'static str) {
-        self.document.open_lab(name, || core_labs::default_input(name).unwrap_or(LabInput::Pipeline));
+        self.document.open_lab(name, || core_labs::default_input(name).unwrap_or(LabInput::PIPELINE));
         self.view.due = None;
         self.canvas.fit();
     }

@@ -3,8 +3,9 @@
 use rasterscope_core::{
     explain::Level,
     labs,
+    labs::LabInput,
     pipeline::Skips,
-    scene::{Lab, LabInput, Scene},
+    scene::{Lab, Scene},
 };
 use rasterscope_figure::{orbit::Orbit, theme::ThemeName};
 
@@ -21,7 +22,7 @@ impl Document {
     /// A document of a scene; a scene without a lab opens the overview.
     pub(crate) fn new(mut scene: Scene) -> Self {
         // The step belongs to the view.
-        scene.lab.get_or_insert(Lab { step: None, input: LabInput::Pipeline }).step = None;
+        scene.lab.get_or_insert(Lab { step: None, input: LabInput::PIPELINE }).step = None;
         Self { scene, others: Vec::new() }
     }
 
@@ -55,12 +56,12 @@ impl Document {
 
     /// The inputs of the open lab.
     pub(crate) fn input(&self) -> &LabInput {
-        self.scene.lab.as_ref().map_or(&LabInput::Pipeline, |lab| &lab.input)
+        self.scene.lab.as_ref().map_or(&LabInput::PIPELINE, |lab| &lab.input)
     }
 
     /// The inputs of the open lab, to edit.
     pub(crate) fn input_mut(&mut self) -> &mut LabInput {
-        &mut self.scene.lab.get_or_insert(Lab { step: None, input: LabInput::Pipeline }).input
+        &mut self.scene.lab.get_or_insert(Lab { step: None, input: LabInput::PIPELINE }).input
     }
 
     /// Opens another lab with the inputs it had, or with `first` at its first time.
@@ -213,20 +214,24 @@ impl ViewState {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rasterscope_core::labs::ClipLine;
 
     #[test]
     fn a_lab_finds_its_inputs_again() {
-        let line = |x| LabInput::ClipLine {
-            algorithm: rasterscope_core::clip::line::Algorithm::CohenSutherland,
-            window: [0.0, 0.0, 4.0, 3.0],
-            segment: [x, 0.0, 1.0, 1.0],
-            arithmetic: Default::default(),
+        let line = |x| {
+            LabInput::ClipLine(ClipLine {
+                algorithm: rasterscope_core::clip::line::Algorithm::CohenSutherland,
+                window: [0.0, 0.0, 4.0, 3.0],
+                segment: [x, 0.0, 1.0, 1.0],
+                arithmetic: Default::default(),
+                mistakes: Default::default(),
+            })
         };
         let mut document = Document::new(Scene::empty([8, 8]));
-        assert_eq!(document.input(), &LabInput::Pipeline);
+        assert_eq!(document.input(), &LabInput::PIPELINE);
         document.open_lab("cohen-sutherland", || line(1.0));
         *document.input_mut() = line(2.0);
-        document.open_lab("pipeline", || LabInput::Pipeline);
+        document.open_lab("pipeline", || LabInput::PIPELINE);
         document.open_lab("cohen-sutherland", || line(3.0));
         assert_eq!(document.input(), &line(2.0));
     }

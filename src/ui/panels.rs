@@ -42,7 +42,7 @@ impl App {
             title: self.words.word(name),
             subtitle: self.subtitle(),
             modified: self.modified(),
-            about: self.words.word(about(name)),
+            about: self.words.word(&format!("{name}-about")),
             lab: name,
             preset: self
                 .preset
@@ -217,17 +217,5 @@ impl App {
             (None, Some(preset)) => preset.title.clone(),
             (None, None) => self.names.text(&self.words, &self.document.scene.name),
         }
-    }
-}
-
-/// The message that says in one sentence what a lab is about.
-fn about(lab: &str) -> &'static str {
-    match lab {
-        "pipeline" => "pipeline-about",
-        "transform" => "transform-about",
-        "cohen-sutherland" => "cohen-sutherland-about",
-        "liang-barsky" => "liang-barsky-about",
-        "scanline" => "scanline-about",
-        _ => "z-buffer-about",
     }
 }

@@ -6,8 +6,9 @@ use crate::{
 };
 use rasterscope_core::{
     explain::Level,
+    labs::LabInput,
     message::Message,
-    scene::{Lab, LabInput, Scene},
+    scene::{Lab, Scene},
 };
 use rasterscope_figure::theme::ThemeName;
 use serde::{Deserialize, Serialize};
@@ -119,6 +120,7 @@ impl Settings {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rasterscope_core::labs::Scanline;
 
     #[test]
     fn what_is_no_session_is_none() {
@@ -130,9 +132,10 @@ mod tests {
     #[test]
     fn a_session_reads_back_with_its_step_and_the_other_labs() {
         let mut document = Document::new(Scene::empty([8, 8]));
-        let input = LabInput::Scanline { vertices: Some([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]), triangle: 0 };
+        let input =
+            LabInput::from(Scanline { vertices: Some([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]), triangle: 0 });
         document.open_lab("scanline", || input.clone());
-        document.open_lab("pipeline", || LabInput::Pipeline);
+        document.open_lab("pipeline", || LabInput::PIPELINE);
         let session = Session::new(Settings::default(), &document, Some(7));
         let read = Session::from_bytes(&session.to_bytes()).expect("it is one");
         assert_eq!(read, session);

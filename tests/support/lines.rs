@@ -15,23 +15,49 @@ pub(crate) fn window(sides: [f32; 4]) -> Window {
 
 /// A random segment and window of one of several nasty families.
 pub(crate) fn line(random: &mut Random) -> (Segment, Window) {
-    let family = random.below(5);
+    let family = random.below(7);
     let mut side = || {
         let (a, b) = (random.grid(0, 5), random.grid(0, 5));
         [a.min(b), a.max(b)]
     };
     let [[xmin, xmax], [ymin, ymax]] = [side(), side()];
-    let mut coordinate = |sides: [f32; 2]| match family {
-        0 | 1 => random.grid(-3, 8),
-        2 => {
-            let border = random.pick(&sides);
-            random.near(border)
+    let window = window([xmin, ymin, xmax, ymax]);
+    if family == 5 {
+        return (through_a_corner(random, &window), window);
+    }
+    let mut coordinate = |axis: usize| {
+        let sides = window.sides(axis);
+        match family {
+            0 | 1 => random.grid(-3, 8),
+            2 => {
+                let border = random.pick(&sides);
+                random.near(border)
+            }
+            3 => random.any(),
+            // Nearly parallel to a border, at it or across the window.
+            6 if axis == 1 => {
+                let border = random.pick(&[sides[0], sides[1], 2.5]);
+                random.near(border)
+            }
+            _ => random.uniform(-1e3, 1e3),
         }
-        3 => random.any(),
-        _ => random.uniform(-1e3, 1e3),
     };
-    let mut point = || [coordinate([xmin, xmax]), coordinate([ymin, ymax])];
-    ([point(), point()], window([xmin, ymin, xmax, ymax]))
+    let mut point = || [coordinate(0), coordinate(1)];
+    ([point(), point()], window)
+}
+
+/// A segment through a corner of the window, or an ULP beside it; sometimes one that ends there.
+fn through_a_corner(random: &mut Random, window: &Window) -> Segment {
+    let corner = random.pick(&window.corners());
+    let direction = [random.grid(-3, 4), random.grid(-3, 4)];
+    let reach = [-random.pick(&[0.0, 1.0, 2.0, 8.0]), random.pick(&[0.0, 1.0, 4.0, 1024.0])];
+    let mut segment = reach.map(|reach| [0, 1].map(|axis| corner[axis] + reach * direction[axis]));
+    if random.below(2) == 0 {
+        let end = random.pick(&[0_usize, 1]);
+        let axis = random.pick(&[0_usize, 1]);
+        segment[end][axis] = random.near(segment[end][axis]);
+    }
+    segment
 }
 
 /// Parametric clipping in rational numbers: the exact interval of visible parameters, and the ends

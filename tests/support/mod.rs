@@ -1,11 +1,18 @@
 //! Shared by all test modules: random inputs, the laws of a traced algorithm, golden files.
 
+mod clippers;
+mod counted;
 mod golden;
 mod laws;
 mod lines;
 mod random;
 mod triangles;
 
+pub(crate) use clippers::{
+    ARITHMETICS, Clipper, CohenSutherland, LiangBarsky, Midpoint, NichollLeeNicholl, bits, check_log,
+    costs_what_it_says, keeps_the_laws, rounding_fails,
+};
+pub(crate) use counted::{Counted, counted};
 pub(crate) use golden::{check_golden, log_text};
 pub(crate) use laws::{Coverage, check_laws};
 pub(crate) use lines::{LINE_WINDOW, line, visible_part, window};

@@ -57,6 +57,7 @@ ui-snap = Snap
 ui-snap-half = halves
 ui-snap-centre = pixel centres
 ui-snap-off = off
+ui-mistakes = Common mistakes
 ui-ends-and-window = Ends and window
 
 ui-tab-step = Step

@@ -1,10 +1,14 @@
 //! `clip_line`: a segment against a window.
 
 use rasterscope_core::{
-    clip::line::{Algorithm, Outcode, Segment, Window, cohen_sutherland, liang_barsky},
+    clip::line::{
+        Algorithm, Mistakes, Outcode, Segment, Window, cohen_sutherland, liang_barsky, midpoint,
+        nicholl_lee_nicholl,
+    },
+    labs,
     math::{Arithmetic, Tally},
     message::Message,
-    scene::{LabInput, Scene},
+    scene::Scene,
     trace::NoTrace,
 };
 use serde::Serialize;
@@ -70,6 +74,14 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
             let visible = liang_barsky::clip_traced(ends, &window, arithmetic, &mut tally, &mut NoTrace);
             (visible.map(|visible| visible.segment), None, visible.map(|visible| visible.t))
         }
+        Algorithm::NichollLeeNicholl => {
+            let clipped =
+                nicholl_lee_nicholl::clip_traced(ends, &window, arithmetic, &mut tally, &mut NoTrace);
+            (clipped, None, None)
+        }
+        Algorithm::Midpoint => {
+            (midpoint::clip_traced(ends, &window, arithmetic, &mut tally, &mut NoTrace), None, None)
+        }
     };
     let mut numbers = clipped.iter().flatten().chain(&t).flatten();
     if numbers.any(|v| !v.is_finite()) {
@@ -88,5 +100,6 @@ pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
     let input = Input::read(request)?;
     input.window()?;
     let Input { algorithm, window, segment, arithmetic } = input;
-    Ok(lab_scene([64, 64], LabInput::ClipLine { algorithm, window, segment, arithmetic }))
+    let mistakes = Mistakes::NONE;
+    Ok(lab_scene([64, 64], labs::ClipLine { algorithm, window, segment, arithmetic, mistakes }))
 }

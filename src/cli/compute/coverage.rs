@@ -1,9 +1,10 @@
 //! `coverage`: the pixels of a triangle.
 
 use rasterscope_core::{
+    labs,
     math::{Arithmetic, Tally},
     raster::{Algorithm, FillRule, Settings, Span, YAxis, rows},
-    scene::{LabInput, Scene},
+    scene::Scene,
 };
 use serde::Serialize;
 
@@ -57,6 +58,6 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
 /// The same request as a scene that opens a lab.
 pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
     let Settings { size, fill_rule, y_axis, .. } = steppable(request)?;
-    let input = LabInput::Scanline { vertices: Some(request.vertices()?), triangle: 0 };
+    let input = labs::Scanline { vertices: Some(request.vertices()?), triangle: 0 };
     Ok(Scene { fill_rule, y_axis, ..lab_scene(size, input) })
 }

@@ -36,7 +36,10 @@ pub use lines::MOST_BYTES;
 pub(crate) use refusal::Refusal;
 pub(crate) use request::Request;
 
-use rasterscope_core::scene::{Lab, LabInput, Scene};
+use rasterscope_core::{
+    labs::LabInput,
+    scene::{Lab, Scene},
+};
 use serde::Serialize;
 use std::{
     io::{self, BufRead, Cursor, Write},
@@ -153,8 +156,8 @@ pub(crate) fn lab(request: &Request) -> Result<Scene, Refusal> {
 }
 
 /// A scene without triangles that opens a lab at its end.
-fn lab_scene(size: [u32; 2], input: LabInput) -> Scene {
-    Scene { lab: Some(Lab { step: None, input }), ..Scene::empty(size) }
+fn lab_scene(size: [u32; 2], input: impl Into<LabInput>) -> Scene {
+    Scene { lab: Some(Lab { step: None, input: input.into() }), ..Scene::empty(size) }
 }
 
 fn write_line(answer: &impl Serialize, output: &mut dyn Write) -> io::Result<()> {

@@ -3,9 +3,9 @@
 use rasterscope_core::{
     explain::Level,
     labs,
+    labs::LabInput,
     message::{Message, Value},
     replay::{Budget, Playback},
-    scene::LabInput,
 };
 use rasterscope_figure::{svg, tables};
 use std::fmt::Write;
@@ -26,7 +26,7 @@ const SIZE: [f32; 2] = [720.0, 540.0];
 
 /// The run of the scene's lab, step by step; nothing if it opens none.
 pub(super) fn section(subject: &Subject<'_>) -> String {
-    let Some(lab) = subject.scene.lab.as_ref().filter(|lab| lab.input != LabInput::Pipeline) else {
+    let Some(lab) = subject.scene.lab.as_ref().filter(|lab| lab.input != LabInput::PIPELINE) else {
         return String::new();
     };
     let name = lab.input.name();

@@ -2,7 +2,7 @@
 
 use super::Player;
 use crate::{
-    explain::{Explain, Formula, Level, Mark, Marker, Table, View},
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, Table, View},
     message::Message,
 };
 
@@ -47,6 +47,8 @@ pub trait Playback: Send {
     fn view(&self) -> View;
     /// Marks of the timeline with their steps, in order.
     fn markers(&self) -> Vec<(usize, Marker)>;
+    /// What the run costs up to the cursor, and as a whole. Cost: linear in the run.
+    fn operations(&self) -> [Operations; 2];
     /// The event that led to the cursor, for logs.
     fn event_text(&self) -> Option<String>;
     /// The event that led to the cursor, as data.
@@ -150,6 +152,17 @@ impl<S: Explain> Playback for Player<S> {
         let mut out = Vec::new();
         self.for_each(|step, event| out.extend(S::marker(event).map(|marker| (step, marker))));
         out
+    }
+
+    fn operations(&self) -> [Operations; 2] {
+        let [mut so_far, mut whole] = [Operations::NONE; 2];
+        self.for_each(|step, event| {
+            whole += S::operations(event);
+            if step <= self.cursor {
+                so_far = whole;
+            }
+        });
+        [so_far, whole]
     }
 
     fn event_text(&self) -> Option<String> {

@@ -2,10 +2,9 @@
 
 use crate::{
     blend::BlendState,
-    clip::line,
     cull::{CullMode, FrontFace},
     depth::{DepthFormat, DepthState},
-    math::Arithmetic,
+    labs::LabInput,
     raster::{FillRule, YAxis},
     stencil::StencilState,
     transform::{Camera, DepthRange},
@@ -268,54 +267,4 @@ pub struct Lab {
     pub step: Option<usize>,
     /// Which lab, with its inputs.
     pub input: LabInput,
-}
-
-/// The inputs of each lab.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LabInput {
-    /// A line against a window.
-    ClipLine {
-        /// The lab's own algorithm; all have the same inputs.
-        algorithm: line::Algorithm,
-        /// xmin, ymin, xmax, ymax; y up; closed.
-        window: [f32; 4],
-        /// x and y of the first end, x and y of the second.
-        segment: [f32; 4],
-        /// What the cuts are computed in.
-        arithmetic: Arithmetic,
-    },
-    /// One triangle, row by row.
-    Scanline {
-        /// In pixels, y growing as the scene says; `None` takes a triangle of the scene.
-        vertices: Option<[[f32; 2]; 3]>,
-        /// Which of the pipeline's screen triangles, when there are no vertices.
-        triangle: usize,
-    },
-    /// Triangles, fragment by fragment.
-    ZBuffer {
-        /// In pixels with depth, y growing as the scene says; `None` takes the scene's.
-        triangles: Option<Vec<[[f32; 3]; 3]>>,
-    },
-    /// One vertex through all the spaces.
-    Transform {
-        /// Which draw.
-        draw: usize,
-        /// Which of its vertices.
-        vertex: usize,
-    },
-    /// The whole scene, stage by stage.
-    Pipeline,
-}
-
-impl LabInput {
-    /// The lab's name, on the command line and in scene files.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::ClipLine { algorithm, .. } => algorithm.name(),
-            Self::Scanline { .. } => "scanline",
-            Self::ZBuffer { .. } => "z-buffer",
-            Self::Transform { .. } => "transform",
-            Self::Pipeline => "pipeline",
-        }
-    }
 }

@@ -18,12 +18,14 @@ mod validate;
 mod wire;
 
 pub use assets::{MODELS, PRESETS, Preset, model, preset};
-pub use document::{
-    Clear, DEFAULT_COLOR, Draw, Geometry, Lab, LabInput, Mesh, Scene, Shade, Texture, Transform,
-};
+pub use document::{Clear, DEFAULT_COLOR, Draw, Geometry, Lab, Mesh, Scene, Shade, Texture, Transform};
 pub use error::{Kind, Problem, SceneError};
 pub use file::MAX_SCENE_BYTES;
 pub use fit::{MODEL_SIZE, scene_from_obj};
 pub use json::{JsonError, JsonFault};
 pub use obj::{ObjError, ObjProblem};
 pub use validate::{MAX_PIXELS, MAX_SIDE};
+
+pub(crate) use path::FieldError;
+pub(crate) use read::read;
+pub(crate) use validate::{Checked, each_finite, each_row_finite, refuse_if};

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 /// One step down into a document.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Step {
+pub(crate) enum Step {
     Field(String),
     Item(usize),
 }
@@ -24,24 +24,32 @@ impl From<usize> for Step {
 
 /// A problem and the steps to it, innermost first.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct FieldError {
+pub(crate) struct FieldError {
     problem: Problem,
     steps: Vec<Step>,
 }
 
 impl FieldError {
     /// A problem with the value at hand.
-    pub(super) fn here(problem: Problem) -> Self {
+    pub(crate) fn here(problem: Problem) -> Self {
         Self { problem, steps: Vec::new() }
     }
 
     /// A problem with one field or item of the value at hand.
-    pub(super) fn at(step: impl Into<Step>, problem: Problem) -> Self {
+    pub(crate) fn at(step: impl Into<Step>, problem: Problem) -> Self {
         Self::here(problem).within(step)
     }
 
+    /// The same problem; if it is an unknown field of the value at hand, these are known as well.
+    pub(crate) fn with_known(mut self, more: &[&'static str]) -> Self {
+        if let (Problem::UnknownField { known }, 1) = (&mut self.problem, self.steps.len()) {
+            known.splice(0..0, more.iter().copied());
+        }
+        self
+    }
+
     /// The same problem, seen from one level further out.
-    pub(super) fn within(mut self, step: impl Into<Step>) -> Self {
+    pub(crate) fn within(mut self, step: impl Into<Step>) -> Self {
         self.steps.push(step.into());
         self
     }

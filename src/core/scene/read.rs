@@ -17,7 +17,7 @@ use serde_json::{Map, Value, map};
 use std::{fmt::Display, iter::Enumerate, slice};
 
 /// Reads a `T`.
-pub(super) fn read<'a, T: Deserialize<'a>>(value: &'a Value) -> Result<T, FieldError> {
+pub(crate) fn read<'a, T: Deserialize<'a>>(value: &'a Value) -> Result<T, FieldError> {
     T::deserialize(Reader(value))
 }
 

@@ -3,21 +3,19 @@
 //! Works on the document, so that an edited scene is held to the same rules as a file.
 
 use super::{
-    document::{Draw, Geometry, LabInput, Mesh, Scene, Texture, Transform},
+    document::{Draw, Geometry, Mesh, Scene, Texture, Transform},
     error::{Problem, SceneError},
-    path::FieldError,
+    path::{FieldError, Step},
 };
-use crate::{
-    math::Arithmetic,
-    transform::{Camera, Projection},
-};
+use crate::transform::{Camera, Projection};
 
 /// Largest width and height of an image.
 pub const MAX_SIDE: u32 = 16384;
 /// Largest number of pixels of an image.
 pub const MAX_PIXELS: u32 = 1 << 28;
 
-type Checked = Result<(), FieldError>;
+/// Whether a part of the document makes sense; else the path of its first bad field.
+pub(crate) type Checked = Result<(), FieldError>;
 
 impl Scene {
     /// Whether the scene makes sense. Cost: linear in its numbers.
@@ -46,59 +44,14 @@ impl Scene {
             draw(item).map_err(|e| e.within(i).within("draws"))?;
         }
         match &self.lab {
-            Some(lab) => self.lab_input(&lab.input).map_err(|e| e.within("lab")),
+            Some(lab) => lab.input.check(self).map_err(|e| e.within("lab")),
             None => Ok(()),
-        }
-    }
-
-    fn lab_input(&self, input: &LabInput) -> Checked {
-        match input {
-            LabInput::ClipLine { window, segment, arithmetic, .. } => {
-                each_finite(window).map_err(|e| e.within("window"))?;
-                let [xmin, ymin, xmax, ymax] = *window;
-                refuse_if(xmin > xmax || ymin > ymax, "window", Problem::WindowReversed)?;
-                each_finite(segment).map_err(|e| e.within("segment"))?;
-                // Fixed point is for scan conversion.
-                let known = [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64];
-                let problem = Problem::UnknownName {
-                    name: arithmetic.name().into(),
-                    known: known.map(Arithmetic::name).to_vec(),
-                };
-                refuse_if(!known.contains(arithmetic), "arithmetic", problem)
-            }
-            LabInput::Scanline { vertices, .. } => match vertices {
-                Some(vertices) => rows("vertices", vertices, finite),
-                None => Ok(()),
-            },
-            LabInput::ZBuffer { triangles } => {
-                for (i, triangle) in triangles.iter().flatten().enumerate() {
-                    for (j, vertex) in triangle.iter().enumerate() {
-                        each_finite(vertex).map_err(|e| e.within(j).within(i).within("triangles"))?;
-                    }
-                }
-                Ok(())
-            }
-            LabInput::Transform { draw, vertex } => {
-                #[expect(clippy::cast_precision_loss, reason = "a limit to be shown")]
-                let range = |count: usize| match count {
-                    0 => Problem::NoneThere,
-                    _ => Problem::Range { min: 0.0, max: (count - 1) as f64 },
-                };
-                let Some(chosen) = self.draws.get(*draw) else {
-                    return Err(FieldError::at("draw", range(self.draws.len())));
-                };
-                let vertices = chosen.geometry.mesh().map(|mesh| mesh.positions.len());
-                match vertices {
-                    Some(count) => refuse_if(*vertex >= count, "vertex", range(count)),
-                    None => Ok(()),
-                }
-            }
-            LabInput::Pipeline => Ok(()),
         }
     }
 }
 
-fn refuse_if(wrong: bool, field: &str, problem: Problem) -> Checked {
+/// Refuses a field that is wrong.
+pub(crate) fn refuse_if(wrong: bool, field: &str, problem: Problem) -> Checked {
     if wrong { Err(FieldError::at(field, problem)) } else { Ok(()) }
 }
 
@@ -119,13 +72,25 @@ fn each(values: &[f32], check: fn(f32) -> Checked) -> Checked {
     values.iter().enumerate().try_for_each(|(i, value)| check(*value).map_err(|e| e.within(i)))
 }
 
-fn each_finite(values: &[f32]) -> Checked {
+/// Whether all values are finite.
+pub(crate) fn each_finite(values: &[f32]) -> Checked {
     each(values, finite)
 }
 
 /// Whether all values lie in 0..=1, as colours must.
 pub(super) fn each_in_unit(values: &[f32]) -> Checked {
     each(values, unit)
+}
+
+/// Whether all values of a list of points are finite.
+pub(crate) fn each_row_finite<const N: usize>(
+    field: impl Into<Step> + Clone,
+    points: &[[f32; N]],
+) -> Checked {
+    points
+        .iter()
+        .enumerate()
+        .try_for_each(|(i, point)| each_finite(point).map_err(|e| e.within(i).within(field.clone())))
 }
 
 fn rows<const N: usize>(field: &str, rows: &[[f32; N]], check: fn(f32) -> Checked) -> Checked {

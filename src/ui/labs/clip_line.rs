@@ -9,10 +9,10 @@ use crate::{
 };
 use egui::Ui;
 use rasterscope_core::{
-    clip::line::Algorithm,
+    clip::line::{Algorithm, Mistake, Mistakes},
     explain::{Marker, Role},
+    labs::{self, LabInput},
     math::Arithmetic,
-    scene::LabInput,
 };
 
 /// The lab of one algorithm: the ends of a line and the window are dragged.
@@ -37,12 +37,16 @@ impl Lab for ClipLine {
     }
 
     fn controls(&self, ui: &mut Ui, face: &Face<'_>, document: &mut Document, view: &mut ViewState) {
-        let LabInput::ClipLine { window, segment, arithmetic, .. } = document.input_mut() else { return };
+        let LabInput::ClipLine(input) = document.input_mut() else { return };
+        let labs::ClipLine { algorithm, window, segment, arithmetic, mistakes } = input;
         heading(ui, face, &face.say("ui-conventions"));
         let all = [Arithmetic::Exact, Arithmetic::F64, Arithmetic::F32]
             .map(|each| (each, choices::arithmetic(face, each)));
         choices::choose(ui, face, "ui-arithmetic", arithmetic, &all);
         choices::snapping(ui, face, view);
+        if *algorithm == Algorithm::CohenSutherland {
+            choose_mistakes(ui, face, mistakes);
+        }
         heading(ui, face, &face.say("ui-ends-and-window"));
         let [x1, y1, x2, y2] = segment;
         choices::fields(ui, face, "P1", [x1, y1]);
@@ -55,9 +59,8 @@ impl Lab for ClipLine {
     }
 
     fn handles(&self, document: &Document) -> Vec<Handle> {
-        let LabInput::ClipLine { window, segment: [x1, y1, x2, y2], .. } = document.input() else {
-            return Vec::new();
-        };
+        let LabInput::ClipLine(input) = document.input() else { return Vec::new() };
+        let labs::ClipLine { window, segment: [x1, y1, x2, y2], .. } = input;
         let middle = |low: usize| window[low] / 2.0 + window[low + 2] / 2.0;
         let sides = WINDOW.map(|(name, kind, x, y)| {
             let at = [x.map_or(middle(0), |x| window[x]), y.map_or(middle(1), |y| window[y])];
@@ -76,7 +79,7 @@ impl Lab for ClipLine {
     }
 
     fn drag(&self, document: &mut Document, handle: usize, [x, y]: [f32; 2]) {
-        let LabInput::ClipLine { window, segment, .. } = document.input_mut() else { return };
+        let LabInput::ClipLine(labs::ClipLine { window, segment, .. }) = document.input_mut() else { return };
         if let Some((_, _, to_x, to_y)) = WINDOW.get(handle) {
             let before = *window;
             for (side, to) in [(to_x, x), (to_y, y)] {
@@ -89,6 +92,19 @@ impl Lab for ClipLine {
             let end = 2 * (handle - WINDOW.len());
             segment[end..end + 2].copy_from_slice(&[x, y]);
         }
+    }
+}
+
+fn choose_mistakes(ui: &mut Ui, face: &Face<'_>, mistakes: &mut Mistakes) {
+    heading(ui, face, &face.say("ui-mistakes"));
+    for mistake in Mistake::ALL {
+        let words = match mistake {
+            Mistake::OrForAnd => ["mistake-or-for-and", "mistake-or-for-and-effect"],
+            Mistake::OtherOrder => ["mistake-other-order", "mistake-other-order-effect"],
+        };
+        let mut made = mistakes.has(mistake);
+        choices::mistake(ui, face, words, &mut made);
+        *mistakes = if made { mistakes.with(mistake) } else { mistakes.without(mistake) };
     }
 }
 

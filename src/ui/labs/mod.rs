@@ -6,6 +6,8 @@
 mod clip_line;
 mod cohen_sutherland;
 mod liang_barsky;
+mod midpoint;
+mod nicholl_lee_nicholl;
 mod objects;
 mod pipeline;
 mod placing;
@@ -107,6 +109,8 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(transform::Transform),
         Box::new(cohen_sutherland::LAB),
         Box::new(liang_barsky::LAB),
+        Box::new(midpoint::LAB),
+        Box::new(nicholl_lee_nicholl::LAB),
         Box::new(scanline::Scanline),
         Box::new(z_buffer::ZBuffer),
     ]

@@ -10,9 +10,10 @@ use crate::{
 use egui::Ui;
 use rasterscope_core::{
     explain::{Marker, Role},
+    labs::{self, LabInput},
     pipeline::screen_triangles,
     raster::FillRule,
-    scene::{Draw, LabInput, Scene},
+    scene::{Draw, Scene},
 };
 
 /// Larger scenes have no handles.
@@ -31,7 +32,7 @@ impl Lab for Scanline {
         heading(ui, face, &face.say("ui-conventions"));
         fill_rule(ui, face, document);
         choices::snapping(ui, face, view);
-        if let LabInput::Scanline { vertices: None, triangle } = document.input_mut() {
+        if let LabInput::Scanline(labs::Scanline { vertices: None, triangle }) = document.input_mut() {
             heading(ui, face, &face.say("ui-triangle-of-scene"));
             choices::index(ui, face, "ui-triangle", triangle);
         }
@@ -73,7 +74,7 @@ impl Lab for Scanline {
 
 /// The lab's own triangle, or the one of the scene that it shows.
 fn corners(document: &Document) -> Option<[[f32; 2]; 3]> {
-    let LabInput::Scanline { vertices, triangle } = document.input() else { return None };
+    let LabInput::Scanline(labs::Scanline { vertices, triangle }) = document.input() else { return None };
     vertices.or_else(|| {
         let of_scene = if is_small(&document.scene) { screen_triangles(&document.scene) } else { Vec::new() };
         of_scene.get(*triangle).map(|triangle| triangle.vertices.map(|[x, y, _]| [x, y]))
@@ -82,8 +83,8 @@ fn corners(document: &Document) -> Option<[[f32; 2]; 3]> {
 
 /// From the first edit on the triangle is the lab's own.
 fn set_corners(document: &mut Document, corners: [[f32; 2]; 3]) {
-    if let LabInput::Scanline { vertices, .. } = document.input_mut() {
-        *vertices = Some(corners);
+    if let LabInput::Scanline(input) = document.input_mut() {
+        input.vertices = Some(corners);
     }
 }
 

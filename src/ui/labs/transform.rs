@@ -10,7 +10,8 @@ use crate::{
 use egui::Ui;
 use rasterscope_core::{
     explain::{Marker, Role},
-    scene::{Geometry, LabInput},
+    labs::{self, LabInput},
+    scene::Geometry,
     transform::DepthRange,
 };
 use std::sync::Arc;
@@ -27,7 +28,7 @@ impl Lab for Transform {
     fn controls(&self, ui: &mut Ui, face: &Face<'_>, document: &mut Document, _: &mut ViewState) {
         heading(ui, face, &face.say("ui-conventions"));
         depth_range(ui, face, document);
-        let LabInput::Transform { mut draw, mut vertex } = *document.input() else { return };
+        let LabInput::Transform(labs::Transform { mut draw, mut vertex }) = *document.input() else { return };
         let names: Vec<(usize, String)> =
             document.scene.draws.iter().enumerate().map(|(i, draw)| (i, draw.name.clone())).collect();
         heading(ui, face, &face.say("ui-vertex"));
@@ -45,7 +46,7 @@ impl Lab for Transform {
                 }
             }
         }
-        *document.input_mut() = LabInput::Transform { draw, vertex };
+        *document.input_mut() = labs::Transform { draw, vertex }.into();
         super::placing::transform(ui, face, &mut document.scene, draw);
         super::placing::camera(ui, face, &mut document.scene);
     }

@@ -14,8 +14,8 @@ use egui::Ui;
 use rasterscope_core::{
     depth::DepthFormat,
     explain::{Marker, Role},
+    labs::{self, LabInput},
     pipeline::screen_triangles,
-    scene::LabInput,
 };
 
 /// The lab.
@@ -43,7 +43,7 @@ impl Lab for ZBuffer {
             }
         }
         if triangles != before {
-            *document.input_mut() = LabInput::ZBuffer { triangles: Some(triangles) };
+            *document.input_mut() = labs::ZBuffer { triangles: Some(triangles) }.into();
         }
     }
 
@@ -71,7 +71,7 @@ impl Lab for ZBuffer {
         if let Some(triangle) = triangles.get_mut(handle / 3) {
             let corner = &mut triangle[handle % 3];
             *corner = [x, y, corner[2]];
-            *document.input_mut() = LabInput::ZBuffer { triangles: Some(triangles) };
+            *document.input_mut() = labs::ZBuffer { triangles: Some(triangles) }.into();
         }
     }
 }
@@ -79,8 +79,8 @@ impl Lab for ZBuffer {
 /// The lab's own triangles, or those of the scene if they are few.
 fn triangles(document: &Document) -> Vec<[[f32; 3]; 3]> {
     match document.input() {
-        LabInput::ZBuffer { triangles: Some(triangles) } => triangles.clone(),
-        LabInput::ZBuffer { triangles: None } if is_small(&document.scene) => {
+        LabInput::ZBuffer(labs::ZBuffer { triangles: Some(triangles) }) => triangles.clone(),
+        LabInput::ZBuffer(labs::ZBuffer { triangles: None }) if is_small(&document.scene) => {
             screen_triangles(&document.scene).iter().map(|triangle| triangle.vertices).collect()
         }
         _ => Vec::new(),

@@ -10,7 +10,7 @@ use crate::{
     widgets::{down, follow_focus, heading, row, text_in},
 };
 use egui::{Align2, ComboBox, DragValue, Rect, ScrollArea, Ui, pos2, vec2};
-use rasterscope_core::{math::Arithmetic, message::Value};
+use rasterscope_core::{explain::Role, math::Arithmetic, message::Value};
 use rasterscope_figure::numbers;
 
 /// The presets get at most this part of the height, and scroll by themselves.
@@ -114,6 +114,13 @@ pub(crate) fn labelled(ui: &mut Ui, face: &Face<'_>, label: &str, content: impl 
 /// A check box.
 pub(crate) fn check(ui: &mut Ui, face: &Face<'_>, label: &'static str, value: &mut bool) {
     ui.checkbox(value, face.rich(face.say(label), Text::Label));
+}
+
+/// A common mistake that can be switched on, with what it breaks below.
+pub(crate) fn mistake(ui: &mut Ui, face: &Face<'_>, [label, effect]: [&'static str; 2], value: &mut bool) {
+    check(ui, face, label, value);
+    let effect = face.rich(face.say(effect), Text::Label).color(face.look.role(Role::Rejected));
+    ui.indent(label, |ui| ui.label(effect));
 }
 
 /// An index that can be typed or dragged.

@@ -1,7 +1,7 @@
 use super::*;
 use crate::{face::Command, shell::notice::Notice};
 use egui::{Key, Modifiers};
-use rasterscope_core::scene::LabInput;
+use rasterscope_core::labs::LabInput;
 
 /// Edits the document as a drag does, all at once.
 fn edit(window: &mut Window) {
@@ -135,8 +135,8 @@ fn work_is_kept_seldom_and_only_when_it_changed() {
     assert_eq!(window.state().platform.writes, before, "nothing changed");
     for i in 0..120 {
         let app = window.state_mut().app_mut();
-        if let LabInput::ClipLine { segment, .. } = app.document.input_mut() {
-            segment[0] = i as f32 / 100.0;
+        if let LabInput::ClipLine(input) = app.document.input_mut() {
+            input.segment[0] = i as f32 / 100.0;
         }
         window.step();
     }

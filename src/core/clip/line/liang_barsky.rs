@@ -13,7 +13,7 @@ mod explain;
 mod forms;
 mod formulas;
 
-pub use super::{Course, Parameter};
+pub use super::{Course, Parameter, Visible};
 pub use explain::Snapshot;
 
 use super::{Border, End, Point, Segment, Window};
@@ -87,16 +87,6 @@ pub enum Event {
     Accept,
 }
 const _: () = assert!(size_of::<Event>() <= 16);
-
-/// The visible part of a segment.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Visible {
-    /// Its ends, in the order given.
-    pub segment: Segment,
-    /// Their parameters: 0 at the given first end, 1 at the second. In exact arithmetic correctly
-    /// rounded, and `0 <= t0 <= t1 <= 1`.
-    pub t: [f32; 2],
-}
 
 /// Clips a segment of finite coordinates against a window: `None` if no point of it is inside.
 ///
@@ -189,10 +179,10 @@ fn run<F: Form, T: Tracer<Event>>(mut line: F, t: &mut T) -> Option<Visible> {
     for (end, parameter) in End::ALL.into_iter().zip([t0, t1]) {
         if let Parameter::At(border) = parameter {
             let at = line.divide(border);
-            t.emit(|| Event::Divide { border, end, t: at });
-            let to = line.cut(border);
+            t.emit(|| Event::Divide { border, end, t: at.to_f32() });
+            let to = line.cut(border, at);
             t.emit(|| Event::Cut { border, end, to });
-            visible.t[end as usize] = at;
+            visible.t[end as usize] = at.to_f32();
             visible.segment[end as usize] = to;
         }
     }

@@ -1,7 +1,10 @@
 //! What learners get wrong in clipping a line, to be switched on and seen beside the right answer.
 
+use serde::{Deserialize, Serialize};
+
 /// A common mistake.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Mistake {
     /// A line is rejected if the codes joined by OR, not AND, are not 0: so are lines that cross.
     OrForAnd,
@@ -21,20 +24,21 @@ impl Mistake {
             Self::OtherOrder => "other-order",
         }
     }
-
-    /// The mistake called `name`, the inverse of [`name`](Self::name).
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|mistake| mistake.name() == name)
-    }
 }
 
-/// Which mistakes are made; the default is none.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+/// Which mistakes are made; the default is none. In scene files a list of names.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(from = "Vec<Mistake>", into = "Vec<Mistake>")]
 pub struct Mistakes(u8);
 
 impl Mistakes {
     /// The right algorithm.
     pub const NONE: Self = Self(0);
+
+    /// Whether none is made.
+    pub fn is_empty(&self) -> bool {
+        *self == Self::NONE
+    }
 
     /// Whether `mistake` is made.
     #[inline]
@@ -63,5 +67,17 @@ impl Mistakes {
 impl FromIterator<Mistake> for Mistakes {
     fn from_iter<I: IntoIterator<Item = Mistake>>(mistakes: I) -> Self {
         mistakes.into_iter().fold(Self::NONE, Self::with)
+    }
+}
+
+impl From<Vec<Mistake>> for Mistakes {
+    fn from(mistakes: Vec<Mistake>) -> Self {
+        mistakes.into_iter().collect()
+    }
+}
+
+impl From<Mistakes> for Vec<Mistake> {
+    fn from(mistakes: Mistakes) -> Self {
+        mistakes.iter().collect()
     }
 }

@@ -7,16 +7,22 @@
 //! the line and the border alone: not on the order of the ends, nor on the algorithm.
 
 pub mod cohen_sutherland;
+mod convex;
+pub mod cyrus_beck;
 mod intersection;
 pub mod liang_barsky;
+mod meets;
+pub mod midpoint;
 mod mistake;
+pub mod nicholl_lee_nicholl;
 mod parametric;
 mod subject;
 
+pub use convex::{ConvexWindow, Flaw};
 pub use mistake::{Mistake, Mistakes};
-pub use parametric::{Course, Parameter};
+pub use parametric::{Course, Parameter, Visible};
 
-use crate::{explain::Piece, message::Value};
+use crate::{explain::Piece, math::Sign, message::Value};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -34,17 +40,27 @@ pub enum Algorithm {
     CohenSutherland,
     /// Ordered parameters: [`liang_barsky`].
     LiangBarsky,
+    /// Any convex window, edge by edge: [`cyrus_beck`].
+    CyrusBeck,
+    /// Halving: [`midpoint`].
+    Midpoint,
+    /// Regions and slopes: [`nicholl_lee_nicholl`].
+    NichollLeeNicholl,
 }
 
 impl Algorithm {
     /// Every algorithm, the default first.
-    pub const ALL: [Self; 2] = [Self::CohenSutherland, Self::LiangBarsky];
+    pub const ALL: [Self; 5] =
+        [Self::CohenSutherland, Self::LiangBarsky, Self::CyrusBeck, Self::Midpoint, Self::NichollLeeNicholl];
 
     /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::CohenSutherland => "cohen-sutherland",
             Self::LiangBarsky => "liang-barsky",
+            Self::CyrusBeck => "cyrus-beck",
+            Self::Midpoint => "midpoint",
+            Self::NichollLeeNicholl => "nicholl-lee-nicholl",
         }
     }
 }
@@ -128,6 +144,25 @@ impl Border {
             Self::Bottom => "ymin",
             Self::Right => "xmax",
             Self::Left => "xmin",
+        }
+    }
+
+    /// Its letter, as an outcode names its bits.
+    pub fn letter(self) -> &'static str {
+        match self {
+            Self::Top => "T",
+            Self::Bottom => "B",
+            Self::Right => "R",
+            Self::Left => "L",
+        }
+    }
+
+    /// The sign of the outward direction along its axis.
+    #[inline]
+    pub(crate) fn outward(self) -> Sign {
+        match self {
+            Self::Left | Self::Bottom => Sign::Negative,
+            Self::Right | Self::Top => Sign::Positive,
         }
     }
 

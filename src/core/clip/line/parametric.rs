@@ -1,7 +1,10 @@
 //! What the parametric algorithms share: places on the line, named before they are divided out.
 
-use super::{Border, End};
-use crate::{math::Sign, message::Value};
+use super::{Border, End, Point, Segment};
+use crate::{
+    math::{Real, Sign},
+    message::Value,
+};
 use serde::Serialize;
 
 /// What the line does at a border.
@@ -60,4 +63,20 @@ impl<B> Parameter<B> {
 #[inline]
 pub(super) fn difference<R: PartialOrd>(a: R, b: R) -> Sign {
     a.partial_cmp(&b).map_or(Sign::Zero, Sign::from)
+}
+
+/// The visible part of a segment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Visible {
+    /// Its ends, in the order given.
+    pub segment: Segment,
+    /// Their parameters: 0 at the given first end, 1 at the second. In exact arithmetic correctly
+    /// rounded, and `0 <= t0 <= t1 <= 1`.
+    pub t: [f32; 2],
+}
+
+/// `P1 + t (P2 - P1)`.
+pub(super) fn point_at<R: Real>(segment: Segment, t: R) -> Point {
+    let [p1, p2] = segment.map(|p| p.map(R::from_f32));
+    [0, 1].map(|axis| (p1[axis] + t * (p2[axis] - p1[axis])).to_f32())
 }

@@ -2,7 +2,7 @@
 
 use super::{Border, End, Outcode, Point, Segment, Window};
 use crate::{
-    explain::{Grid, Label, Mark, Role, Row, Table, View},
+    explain::{Formula, Grid, Label, Mark, Piece, Role, Row, Table, View},
     math::{Arithmetic, ulps_between},
     message::{Message, Value},
 };
@@ -215,4 +215,16 @@ pub(super) fn with_borders(message: Message, code: Outcode) -> Message {
         .with("first", first)
         .with("second", second)
         .with("code", bits(code))
+}
+
+/// Two codes joined to a third.
+pub(super) fn joined(general: &'static str, sign: &'static str, [c1, c2, result]: [Outcode; 3]) -> Formula {
+    let numbers = vec![
+        Piece::Number(bits(c1)),
+        Piece::Text(sign),
+        Piece::Number(bits(c2)),
+        Piece::Text(" = "),
+        Piece::Result(bits(result)),
+    ];
+    Formula { general, numbers }
 }

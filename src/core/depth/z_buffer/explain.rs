@@ -3,7 +3,7 @@
 use super::{Event, Snapshot, snapshot::Fragment};
 use crate::{
     depth::{CompareFunction, DepthFormat},
-    explain::{Explain, Formula, Label, Level, Mark, Marker, Piece, Role, Row, Table, View},
+    explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Piece, Role, Row, Table, View},
     message::{Message, Value},
     raster::view::view_of,
 };
@@ -34,6 +34,15 @@ impl Explain for Snapshot {
             Event::Fragment { .. } => 2,
             Event::Pass => 3,
             Event::Fail => 4,
+        }
+    }
+
+    fn operations(event: &Event) -> Operations {
+        match event {
+            // The plane's value at a centre, and what scales it to the format.
+            Event::Fragment { .. } => Operations::new(0, 3, 0),
+            Event::Pass | Event::Fail => Operations::new(1, 0, 0),
+            _ => Operations::NONE,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::{Between, Event, Side, fill};
 use crate::{
-    explain::{Explain, Formula, Label, Level, Mark, Marker, Role, Row, Table, View},
+    explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::Tally,
     message::{Message, Value},
     raster::{Settings, Span, view::view_of},
@@ -167,6 +167,17 @@ impl Explain for Snapshot {
             Event::Tie { .. } => 9,
             Event::Span { .. } => 10,
             Event::Pixel { .. } => 11,
+        }
+    }
+
+    fn operations(event: &Event) -> Operations {
+        match event {
+            // Three comparisons sort; the area is two products and a sign.
+            Event::Sorted { .. } => Operations::new(4, 2, 0),
+            Event::Slope { .. } => Operations::new(1, 0, 1),
+            Event::Crossing { .. } => Operations::new(0, 1, 0),
+            Event::Span { .. } => Operations::new(1, 0, 0),
+            _ => Operations::NONE,
         }
     }
 

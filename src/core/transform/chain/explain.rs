@@ -7,7 +7,7 @@ use super::{
     run,
 };
 use crate::{
-    explain::{Explain, Formula, Level, Mark, Marker, Piece, Role, Row, Table, View},
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, Piece, Role, Row, Table, View},
     message::{Message, Value},
     raster::YAxis,
     replay::State,
@@ -207,6 +207,18 @@ impl Explain for Snapshot {
             Event::Reached { .. } => 3,
             Event::Sight { .. } => 4,
             Event::Done => 7,
+        }
+    }
+
+    fn operations(event: &Event) -> Operations {
+        match event {
+            Event::Component { to: Space::Ndc, .. } => Operations::new(0, 0, 1),
+            Event::Component { to: Space::Screen, row, .. } => {
+                Operations::new(0, u64::from(*row < 3), 0) // 1/w goes through as it is
+            }
+            Event::Component { .. } => Operations::new(0, 4, 0),
+            Event::Sight { .. } => Operations::new(1, 0, 0),
+            _ => Operations::NONE,
         }
     }
 

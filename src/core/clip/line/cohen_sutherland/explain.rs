@@ -1,12 +1,12 @@
 //! What the lab shows of a Cohen-Sutherland run.
 
-use super::{Event, MOST_CUTS, Settings, formulas::joined};
+use super::{Event, MOST_CUTS, Settings};
 use crate::{
     clip::line::{
         Border, End, Mistake, Mistakes, Outcode, Point, Segment, Window,
-        subject::{Subject, bits, draw_borders, draw_region_codes, draw_window, view, with_borders},
+        subject::{Subject, bits, draw_borders, draw_region_codes, draw_window, joined, view, with_borders},
     },
-    explain::{Explain, Formula, Level, Mark, Marker, Role, Row, Table, View},
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::Tally,
     message::{Message, Value},
     replay::State,
@@ -116,6 +116,14 @@ impl Explain for Snapshot {
             Event::Reject | Event::GiveUp => 5,
             Event::Choose { .. } => 6,
             Event::Cut { .. } => 7,
+        }
+    }
+
+    fn operations(event: &Event) -> Operations {
+        match event {
+            Event::Code { .. } => Operations::new(4, 0, 0),
+            Event::Cut { .. } => Operations::new(4, 1, 1),
+            _ => Operations::NONE,
         }
     }
 

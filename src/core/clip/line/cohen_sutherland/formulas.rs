@@ -2,23 +2,11 @@
 
 use super::Snapshot;
 use crate::{
-    clip::line::{Border, End, Mistake, Outcode, Point, along, subject::bits},
+    clip::line::{Border, End, Mistake, Point, along},
     explain::{Formula, Piece},
     math::Arithmetic,
     message::Value,
 };
-
-/// Two codes joined to a third.
-pub(super) fn joined(general: &'static str, sign: &'static str, [c1, c2, result]: [Outcode; 3]) -> Formula {
-    let numbers = vec![
-        Piece::Number(bits(c1)),
-        Piece::Text(sign),
-        Piece::Number(bits(c2)),
-        Piece::Text(" = "),
-        Piece::Result(bits(result)),
-    ];
-    Formula { general, numbers }
-}
 
 impl Snapshot {
     /// How far along the segment the border lies, and the coordinate there: exact arithmetic over

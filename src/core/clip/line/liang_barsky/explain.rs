@@ -9,7 +9,7 @@ use crate::{
         Border, End, Segment, Window, cohen_sutherland,
         subject::{Subject, draw_borders, draw_window, view},
     },
-    explain::{Explain, Formula, Label, Level, Mark, Marker, Role, Row, Table, View},
+    explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::{Arithmetic, Sign, Tally},
     message::{Message, Value},
     replay::State,
@@ -146,6 +146,16 @@ impl Explain for Snapshot {
             Event::Divide { .. } => 7,
             Event::Cut { .. } => 8,
             Event::Accept => 9,
+        }
+    }
+
+    fn operations(event: &Event) -> Operations {
+        match event {
+            Event::Measure { .. } | Event::Along { .. } => Operations::new(1, 0, 0),
+            Event::Enter { .. } | Event::Leave { .. } | Event::Order { .. } => Operations::new(1, 2, 0),
+            Event::Divide { .. } => Operations::new(0, 0, 1),
+            Event::Cut { .. } => Operations::new(0, 2, 0),
+            Event::Start | Event::Reject | Event::Accept => Operations::NONE,
         }
     }
 

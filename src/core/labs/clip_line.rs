@@ -1,0 +1,87 @@
+//! The labs that clip a line against a rectangular window.
+
+use super::{Family, clip_convex::check_arithmetic};
+use crate::{
+    clip::line::{
+        Algorithm, Mistakes, Window, cohen_sutherland, cyrus_beck, liang_barsky, midpoint,
+        nicholl_lee_nicholl,
+    },
+    math::Arithmetic,
+    message::Message,
+    replay::{Budget, Playback},
+    scene::{Checked, Problem, Scene, each_finite, refuse_if},
+};
+use serde::{Deserialize, Serialize};
+
+/// A line against a window.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ClipLine {
+    /// The lab's own algorithm; all have the same inputs.
+    #[serde(skip)]
+    pub algorithm: Algorithm,
+    /// xmin, ymin, xmax, ymax; y up; closed.
+    pub window: [f32; 4],
+    /// x and y of the first end, x and y of the second.
+    pub segment: [f32; 4],
+    /// What the cuts are computed in.
+    #[serde(default)]
+    pub arithmetic: Arithmetic,
+    /// What is got wrong on purpose; Cohen-Sutherland only.
+    #[serde(default, skip_serializing_if = "Mistakes::is_empty")]
+    pub mistakes: Mistakes,
+}
+
+impl Family for ClipLine {
+    fn first() -> Self {
+        Self {
+            algorithm: Algorithm::default(),
+            window: [3.5, 2.0, 9.0, 6.5],
+            segment: [0.5, 0.5, 10.5, 8.5],
+            arithmetic: Arithmetic::Exact,
+            mistakes: Mistakes::NONE,
+        }
+    }
+
+    fn named(self, name: &'static str) -> Self {
+        let algorithm = Algorithm::ALL.into_iter().find(|algorithm| algorithm.name() == name);
+        Self { algorithm: algorithm.unwrap_or_default(), ..self }
+    }
+
+    fn name(&self) -> &'static str {
+        self.algorithm.name()
+    }
+
+    fn is_of_scene(&self) -> bool {
+        false
+    }
+
+    fn check(&self, _: &Scene) -> Checked {
+        each_finite(&self.window).map_err(|e| e.within("window"))?;
+        let [xmin, ymin, xmax, ymax] = self.window;
+        refuse_if(xmin > xmax || ymin > ymax, "window", Problem::WindowReversed)?;
+        each_finite(&self.segment).map_err(|e| e.within("segment"))?;
+        let known = vec!["name", "algorithm", "step", "window", "segment", "arithmetic"];
+        let elsewhere = self.algorithm != Algorithm::CohenSutherland && !self.mistakes.is_empty();
+        refuse_if(elsewhere, "mistakes", Problem::UnknownField { known })?;
+        check_arithmetic(self.arithmetic)
+    }
+
+    fn play(&self, _: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
+        let Self { algorithm, window, segment: [x1, y1, x2, y2], arithmetic, mistakes } = *self;
+        let window = Window::new(window).ok_or_else(|| Message::new("error-window"))?;
+        let segment = [[x1, y1], [x2, y2]];
+        Ok(match algorithm {
+            Algorithm::CohenSutherland => {
+                let settings = cohen_sutherland::Settings { arithmetic, mistakes };
+                Box::new(cohen_sutherland::play(segment, window, settings, budget))
+            }
+            Algorithm::LiangBarsky => Box::new(liang_barsky::play(segment, window, arithmetic, budget)),
+            Algorithm::CyrusBeck => Box::new(cyrus_beck::play(segment, window.into(), arithmetic, budget)),
+            Algorithm::Midpoint => Box::new(midpoint::play(segment, window, arithmetic, budget)),
+            Algorithm::NichollLeeNicholl => {
+                Box::new(nicholl_lee_nicholl::play(segment, window, arithmetic, budget))
+            }
+        })
+    }
+}

@@ -1,0 +1,194 @@
+//! The registry of what can be stepped: from a scene's lab input to a run.
+//!
+//! The window, `trace`, `figure` and `tour` all start a run here, so they show the same steps.
+//! One file holds one family of labs: the inputs they share as they stand in a scene file, what
+//! makes sense there, and how a run starts. Adding a lab is such a file (or a name more in one),
+//! a line in [`ALL`], and for a new family a line in [`LabInput`].
+
+mod clip_convex;
+mod clip_line;
+mod pipeline;
+mod scanline;
+mod transform;
+mod z_buffer;
+
+pub use self::{
+    clip_convex::ClipConvex, clip_line::ClipLine, pipeline::Pipeline, scanline::Scanline,
+    transform::Transform, z_buffer::ZBuffer,
+};
+pub use crate::stage::Stage;
+
+use crate::{
+    message::{Message, Value},
+    raster,
+    replay::{Budget, Playback},
+    scene::{Checked, FieldError, Scene, read},
+};
+use serde::{Serialize, de::DeserializeOwned};
+use std::fmt;
+
+/// A lab: an algorithm with its inputs and everything that explains it.
+#[derive(Clone, Copy)]
+pub struct LabInfo {
+    /// On the command line, in scene files, and the prefix of its message ids: `NAME` is the
+    /// title's id, `NAME-about` that of one sentence.
+    pub name: &'static str,
+    /// The stage of the pipeline that it belongs to.
+    pub stage: Stage,
+    first: fn(&'static str) -> LabInput,
+    read: fn(&'static str, &serde_json::Value) -> Result<LabInput, FieldError>,
+}
+
+impl LabInfo {
+    const fn new<F: Family>(name: &'static str, stage: Stage) -> Self {
+        Self {
+            name,
+            stage,
+            first: |name| F::first().named(name).into(),
+            read: |name, fields| Ok(read::<F>(fields)?.named(name).into()),
+        }
+    }
+
+    /// What it starts with on a scene that says nothing about it.
+    pub fn first_input(&self) -> LabInput {
+        (self.first)(self.name)
+    }
+
+    /// Its input as it stands in a scene file, without the lab's name and step.
+    pub(crate) fn read(&self, fields: &serde_json::Value) -> Result<LabInput, FieldError> {
+        (self.read)(self.name, fields)
+    }
+}
+
+impl fmt::Debug for LabInfo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("LabInfo")
+            .field("name", &self.name)
+            .field("stage", &self.stage)
+            .finish_non_exhaustive()
+    }
+}
+
+/// Every lab, in pipeline order.
+pub const ALL: &[LabInfo] = &[
+    LabInfo::new::<Pipeline>("pipeline", Stage::Image),
+    LabInfo::new::<Transform>("transform", Stage::ClipSpace),
+    LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
+    LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
+    LabInfo::new::<ClipConvex>("cyrus-beck", Stage::Clip),
+    LabInfo::new::<ClipLine>("midpoint", Stage::Clip),
+    LabInfo::new::<ClipLine>("nicholl-lee-nicholl", Stage::Clip),
+    LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
+    LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
+];
+
+/// The lab of that name.
+pub fn find(name: &str) -> Option<LabInfo> {
+    ALL.iter().find(|lab| lab.name == name).copied()
+}
+
+/// What a lab starts with on a scene that says nothing about it.
+pub fn default_input(name: &str) -> Option<LabInput> {
+    find(name).map(|lab| lab.first_input())
+}
+
+/// The inputs that a family of labs shares. What it serializes to stands in scene files.
+pub(crate) trait Family: Serialize + DeserializeOwned + Into<LabInput> {
+    /// What a lab of the family starts with.
+    fn first() -> Self;
+
+    /// The same input for the lab of that name, in a family of several.
+    #[must_use]
+    fn named(self, _name: &'static str) -> Self {
+        self
+    }
+
+    /// Its lab.
+    fn name(&self) -> &'static str;
+
+    /// Whether it needs nothing but what the scene draws, and so starts on any scene.
+    fn is_of_scene(&self) -> bool;
+
+    /// What no single field can tell: ranges, counts and combinations.
+    fn check(&self, scene: &Scene) -> Checked;
+
+    /// Starts the run, at step 0. The message says what about the input cannot be run.
+    fn play(&self, scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message>;
+}
+
+macro_rules! families {
+    ($($(#[$doc:meta])* $family:ident)*) => {
+        /// The inputs of each family of labs.
+        #[derive(Clone, Debug, PartialEq, Serialize)]
+        #[serde(untagged)]
+        pub enum LabInput {
+            $($(#[$doc])* $family($family),)*
+        }
+
+        $(impl From<$family> for LabInput {
+            fn from(input: $family) -> Self {
+                Self::$family(input)
+            }
+        })*
+
+        impl LabInput {
+            /// The lab's name, on the command line and in scene files.
+            pub fn name(&self) -> &'static str {
+                match self { $(Self::$family(input) => input.name(),)* }
+            }
+
+            /// Whether it needs nothing but what the scene draws, and so starts on any scene.
+            pub fn is_of_scene(&self) -> bool {
+                match self { $(Self::$family(input) => input.is_of_scene(),)* }
+            }
+
+            pub(crate) fn check(&self, scene: &Scene) -> Checked {
+                match self { $(Self::$family(input) => input.check(scene),)* }
+            }
+
+            fn play(&self, scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
+                match self { $(Self::$family(input) => input.play(scene, budget),)* }
+            }
+        }
+    };
+}
+
+families! {
+    /// A line against a window.
+    ClipLine
+    /// A line against a convex polygon.
+    ClipConvex
+    /// One triangle, row by row.
+    Scanline
+    /// Triangles, fragment by fragment.
+    ZBuffer
+    /// One vertex through all the spaces.
+    Transform
+    /// The whole scene, stage by stage.
+    Pipeline
+}
+
+impl LabInput {
+    /// The whole scene.
+    pub const PIPELINE: Self = Self::Pipeline(Pipeline {});
+}
+
+/// Starts the run of the scene's lab, at step 0.
+///
+/// The scene's models must be loaded. The message says what about the input cannot be run.
+pub fn play(scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
+    match &scene.lab {
+        Some(lab) => lab.input.play(scene, budget),
+        None => Err(Message::new("error-no-lab")),
+    }
+}
+
+/// The lab finds nothing in the scene that it could run.
+fn nothing_to_step(input: &impl Family) -> Message {
+    Message::new("error-nothing-to-step").with("lab", Value::text(input.name()))
+}
+
+/// The scene's conventions of scan conversion.
+fn scan_settings(scene: &Scene) -> raster::Settings {
+    raster::Settings { fill_rule: scene.fill_rule, y_axis: scene.y_axis, ..raster::Settings::new(scene.size) }
+}

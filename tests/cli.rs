@@ -3,13 +3,13 @@
 use rasterscope_cli::{
     Failure,
     compute::compute_file,
-    figure::{FigureOptions, SIZE, figure},
+    figure::{AnimateOptions, FigureOptions, SIZE, animate, figure},
     files::open_scene,
     list::list,
     tour::{TourOptions, tour},
     trace::{TraceFormat, TraceOptions, trace},
 };
-use rasterscope_core::{labs, scene::PRESETS};
+use rasterscope_core::{explain::Level, labs, scene::PRESETS};
 use rasterscope_figure::theme::ThemeName;
 use serde_json::Value;
 use std::{
@@ -137,6 +137,52 @@ fn a_figure_is_the_picture_of_a_step_as_svg_or_png() {
     let reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("it is a PNG");
     assert_eq!([reader.info().width, reader.info().height], SIZE.map(|side| 2 * side));
     assert_eq!(fs::read_dir(&folder).expect("it is there").count(), 5, "only what was asked for is left");
+}
+
+/// The number of frames, and the first one's pixels.
+fn animated(lab: &str, file: &Path, level: Option<Level>, output: &Path) -> Result<(u32, Vec<u8>), Failure> {
+    let (lab, file, output) = (lab.to_owned(), file.to_owned(), output.to_owned());
+    let options = FigureOptions { lab, file, step: None, size: [160, 120], theme: ThemeName::Light, output };
+    let mut progress = Vec::new();
+    animate(&options, AnimateOptions { level, delay: 100 }, Some(&mut progress))?;
+    assert!(String::from_utf8_lossy(&progress).contains("Frame 1 of "));
+    let (info, first) = pixels(&fs::read(&options.output).expect("it was written"));
+    let frames = info.animation_control.expect("it is animated").num_frames;
+    figure(&FigureOptions { step: Some(0), ..options.clone() }, &mut Vec::new())?;
+    let (_, start) = pixels(&fs::read(&options.output).expect("it was written"));
+    let rgb: Vec<u8> = start.chunks_exact(4).flat_map(|pixel| pixel[..3].to_vec()).collect();
+    assert!(rgb == first, "the first frame is the figure of the start");
+    Ok((frames, first))
+}
+
+fn pixels(png: &[u8]) -> (png::Info<'static>, Vec<u8>) {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(png)).read_info().expect("it is a PNG");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("it is small")];
+    reader.next_frame(&mut pixels).expect("it is whole");
+    (reader.info().clone(), pixels)
+}
+
+#[test]
+fn a_run_is_an_animated_picture_of_its_steps() {
+    let folder = folder("animate");
+    let line = file(&folder, "line.json", LINE);
+    let output = folder.join("run.png");
+    let [primitive, detail] = [Level::Primitive, Level::Detail]
+        .map(|level| animated("cohen-sutherland", &line, Some(level), &output).expect("it is drawn").0);
+    let steps = traced("cohen-sutherland", &line, TraceFormat::Text).expect("it runs").lines().count();
+    assert_eq!((primitive, detail as usize), (2, steps + 1));
+    let finest = animated("cohen-sutherland", &line, None, &output).expect("it is drawn").0;
+    assert_eq!(finest, detail, "a short run is shown in its finest steps");
+
+    let deep = r#"{"op":"depth","size":[64,64],"vertices":[[0,0,0],[64,0,0],[0,64,1]]}"#;
+    let deep = file(&folder, "deep.json", deep);
+    let failure = animated("z-buffer", &deep, Some(Level::Detail), &output).expect_err("too many frames");
+    assert!(sentence(&failure).contains("600") && failure.exit_code() == 1);
+    let (rows, _) = animated("z-buffer", &deep, None, &output).expect("rows are few enough");
+    assert!((60..=70).contains(&rows), "{rows}");
+    let failure = animated("z-buffer", &deep, None, &folder.join("run.svg")).expect_err("SVG stands still");
+    assert_eq!(failure.exit_code(), 2, "{}", sentence(&failure));
+    assert_eq!(fs::read_dir(&folder).expect("it is there").count(), 3, "only what was asked for is left");
 }
 
 #[test]

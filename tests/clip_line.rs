@@ -1,7 +1,8 @@
 //! All line clipping algorithms against one exact oracle that knows none of them, and each other.
 
 use crate::support::{
-    Clipper, CohenSutherland, LiangBarsky, Midpoint, NichollLeeNicholl, Random, bits, line, visible_part,
+    Clipper, CohenSutherland, CyrusBeck, LiangBarsky, Midpoint, NichollLeeNicholl, Random, bits, line,
+    visible_part,
 };
 use rasterscope_core::{
     clip::line::{Segment, Window},
@@ -40,6 +41,7 @@ fn every_algorithm_answers_as_the_rational_oracle_does() {
         for sibling in [
             keeps_the_contract::<LiangBarsky>(segment, &window),
             keeps_the_contract::<NichollLeeNicholl>(segment, &window),
+            keeps_the_contract::<CyrusBeck>(segment, &window),
         ] {
             assert_eq!(bits(sibling), bits(answer), "{segment:?} in {window:?}");
         }

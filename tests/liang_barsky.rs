@@ -93,7 +93,7 @@ fn parameters_are_correctly_rounded_and_nothing_is_divided_in_vain() {
             }
         }
     }
-    let enough = |count: i32| count > 2_000;
+    let enough = |count: i32| count > 1_000;
     assert!(enough(rejected) && cut.into_iter().all(enough), "lopsided: {rejected} rejected, {cut:?} cut");
 }
 

@@ -1,12 +1,16 @@
 //! Headless tests over core, figure and cli: laws that hold for every algorithm, golden logs,
 //! conformance. No display, no network, no clock.
 
+mod back_face;
 mod cli;
 mod clip_line;
+mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
+mod compare;
 mod compute;
 mod coverage;
+mod cyrus_beck;
 mod house;
 mod interpolate;
 mod liang_barsky;
@@ -14,6 +18,7 @@ mod midpoint;
 mod nicholl_lee_nicholl;
 mod obj;
 mod pipeline;
+mod point_clipping;
 mod presets;
 mod render;
 mod replay;
@@ -21,6 +26,7 @@ mod scanline;
 mod scene;
 mod scene_errors;
 mod support;
+mod sutherland_hodgman;
 mod tour;
 mod transform;
 mod z_buffer;

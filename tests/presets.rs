@@ -18,7 +18,8 @@ use rasterscope_core::{
     },
 };
 
-fn scene(name: &str) -> Scene {
+/// A preset with its models.
+pub(crate) fn scene(name: &str) -> Scene {
     let preset = preset(name).unwrap_or_else(|| panic!("no preset {name}"));
     let mut load = |file: &str| model(file).map(<[u8]>::to_vec).ok_or_else(|| "no such model".into());
     Scene::from_json(preset.json.as_bytes())

@@ -147,7 +147,7 @@ fn every_field_survives_the_round_trip() {
         arithmetic: Arithmetic::F64,
         mistakes: rasterscope_core::clip::line::Mistakes::NONE,
     };
-    assert_eq!(scene.lab, Some(Lab { step: Some(3), input: lab.into() }));
+    assert_eq!(scene.lab, Some(Lab { step: Some(3), ..Lab::new(lab) }));
 }
 
 #[test]

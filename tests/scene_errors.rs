@@ -35,6 +35,10 @@ fn a_bad_field_is_named_by_its_path() {
         scene(&format!(r#""size":[4,4],"draws":[{{"vertices":{tri}}},{{"vertices":{tri},{fields}}}]"#))
     };
     let bare = |fields: &str| scene(&format!(r#""size":[4,4],"draws":[{{"vertices":[]}},{{{fields}}}]"#));
+    let line = |compare: &str| {
+        let input = r#""window":[0,0,1,1],"segment":[0,0,1,1]"#;
+        top(&format!(r#""lab":{{"name":"cohen-sutherland",{input},"compare":{compare}}}"#))
+    };
     let cases = [
         // Missing and unknown.
         (scene(r#""draws":[]"#), "missing", "size"),
@@ -139,6 +143,26 @@ fn a_bad_field_is_named_by_its_path() {
         (top(r#""lab":{"name":"z-buffer","step":-1}"#), "negative", "lab.step"),
         (top(r#""lab":{"name":"scanline","algorithm":"tiled"}"#), "unknown-name", "lab.algorithm"),
         (top(r#""lab":{"name":"transform"}"#), "none-there", "lab.draw"),
+        // A comparison names one setting that the lab reads.
+        (top(r#""lab":{"name":"pipeline","compare":{}}"#), "no-setting", "lab.compare"),
+        (top(r#""lab":{"name":"pipeline","compare":{"fill":1}}"#), "unknown-field", "lab.compare.fill"),
+        (
+            top(r#""lab":{"name":"pipeline","compare":{"fill_rule":"x"}}"#),
+            "unknown-name",
+            "lab.compare.fill_rule",
+        ),
+        (
+            top(r#""lab":{"name":"scanline","compare":{"arithmetic":"f32"}}"#),
+            "unknown-field",
+            "lab.compare.arithmetic",
+        ),
+        (
+            top(r#""lab":{"name":"pipeline","compare":{"fill_rule":"strict","y_axis":"up"}}"#),
+            "both",
+            "lab.compare.y_axis",
+        ),
+        (line(r#"{"algorithm":"scanline"}"#), "unknown-name", "lab.compare.algorithm"),
+        (line(r#"{"arithmetic":"fixed-8"}"#), "unknown-name", "lab.compare.arithmetic"),
         (
             top(r#""lab":{"name":"cohen-sutherland","window":[1,0,0,1],"segment":[0,0,1,1]}"#),
             "window-reversed",

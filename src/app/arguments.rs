@@ -2,11 +2,12 @@
 
 use clap::{Arg, ArgAction, ArgMatches, Command, builder::PossibleValuesParser, value_parser};
 use rasterscope_cli::{
-    figure::{self, FigureOptions},
+    figure::{self, AnimateOptions, FigureOptions},
     tour::TourOptions,
     trace::{TraceFormat, TraceOptions},
 };
-use rasterscope_figure::{theme::ThemeName, words::Words};
+use rasterscope_core::explain::Level;
+use rasterscope_figure::{animation, theme::ThemeName, words::Words};
 use std::path::PathBuf;
 
 /// What is asked for.
@@ -22,6 +23,8 @@ pub(crate) enum Request {
     Trace(TraceOptions),
     /// A picture.
     Figure(FigureOptions),
+    /// An animated picture.
+    Animate(FigureOptions, AnimateOptions),
     /// The page.
     Tour(TourOptions),
     /// What there is.
@@ -89,6 +92,28 @@ fn command(words: &Words) -> Command {
                         .default_value(ThemeName::default().name())
                         .value_parser(names(&ThemeName::ALL.map(ThemeName::name))),
                 )
+                .arg(
+                    Arg::new("animate")
+                        .long("animate")
+                        .help(words.word("app-figure-animate"))
+                        .action(ArgAction::SetTrue)
+                        .conflicts_with("step"),
+                )
+                .arg(
+                    Arg::new("level")
+                        .long("level")
+                        .help(words.word("app-figure-level"))
+                        .requires("animate")
+                        .value_parser(names(&Level::ALL.map(Level::name))),
+                )
+                .arg(
+                    Arg::new("delay")
+                        .long("delay")
+                        .value_name("MS")
+                        .help(words.word("app-figure-delay"))
+                        .requires("animate")
+                        .value_parser(value_parser!(u16).range(10..=60_000)),
+                )
                 .arg(output("app-figure-output")),
         )
         .subcommand(sub("tour", "app-tour").arg(path("file", "app-tour-file")).arg(output("app-tour-output")))
@@ -119,14 +144,22 @@ fn request(matches: &ArgMatches) -> Request {
                 .find(|format| format.name() == text("format"))
                 .unwrap_or_default(),
         }),
-        "figure" => Request::Figure(FigureOptions {
-            lab: text("lab"),
-            file: path(matches, "file").unwrap_or_default(),
-            step: matches.get_one("step").copied(),
-            size: matches.get_one("size").copied().unwrap_or(figure::SIZE),
-            theme: ThemeName::from_name(&text("theme")).unwrap_or_default(),
-            output: path(matches, "output").unwrap_or_default(),
-        }),
+        "figure" => {
+            let options = FigureOptions {
+                lab: text("lab"),
+                file: path(matches, "file").unwrap_or_default(),
+                step: matches.get_one("step").copied(),
+                size: matches.get_one("size").copied().unwrap_or(figure::SIZE),
+                theme: ThemeName::from_name(&text("theme")).unwrap_or_default(),
+                output: path(matches, "output").unwrap_or_default(),
+            };
+            if !matches.get_flag("animate") {
+                return Request::Figure(options);
+            }
+            let level = Level::ALL.into_iter().find(|level| level.name() == text("level"));
+            let delay = matches.get_one("delay").copied().unwrap_or(animation::DELAY);
+            Request::Animate(options, AnimateOptions { level, delay })
+        }
         "tour" => Request::Tour(TourOptions {
             file: path(matches, "file"),
             output: path(matches, "output").unwrap_or_default(),
@@ -169,6 +202,11 @@ mod tests {
         for part in ["z-buffer", "Some(3)", "[640, 480]", "Light", "a.svg"] {
             assert!(figure.contains(part), "{part} in {figure}");
         }
+        let film = read("rasterscope figure z-buffer a.json --animate --level row --delay 80 -o a.png");
+        let film = film.unwrap_or_default();
+        for part in ["Animate(", "Some(Row)", "delay: 80"] {
+            assert!(film.contains(part), "{part} in {film}");
+        }
     }
 
     #[test]
@@ -177,6 +215,10 @@ mod tests {
             "rasterscope tour",
             "rasterscope figure z-buffer a.json --size big -o a.svg",
             "rasterscope figure z-buffer a.json --theme pink -o a.svg",
+            "rasterscope figure z-buffer a.json --level row -o a.png",
+            "rasterscope figure z-buffer a.json --animate --step 3 -o a.png",
+            "rasterscope figure z-buffer a.json --animate --delay 1 -o a.png",
+            "rasterscope figure z-buffer a.json --animate --level fine -o a.png",
             "rasterscope trace z-buffer",
             "rasterscope trace z-buffer a.json --format xml",
             "rasterscope compute a.json --lines",

@@ -1,9 +1,9 @@
 //! The window's [`Platform`] on the desktop: real files, and the system's file dialog.
 
 use eframe::egui::Context;
+use rasterscope_cli::files::write_whole;
 use rasterscope_ui::{Platform, Purpose};
 use std::{
-    ffi::OsString,
     fs, io,
     path::{Path, PathBuf},
     sync::mpsc::{self, Receiver, Sender},
@@ -40,18 +40,22 @@ impl Platform for Desktop {
         write_whole(Path::new(path), bytes)
     }
 
-    fn choose_file(&mut self, purpose: Purpose) -> bool {
+    fn choose_file(&mut self, purpose: Purpose, proposed: &str) -> bool {
         let (send, ctx) = (self.send.clone(), self.ctx.clone());
+        let proposed = proposed.to_owned();
         // The dialog blocks until it is answered: a thread of its own keeps the window alive.
         let started = thread::Builder::new().spawn(move || {
             let dialog = rfd::FileDialog::new();
             let path = match purpose {
                 Purpose::Open => dialog.add_filter("Rasterscope, OBJ", &["json", "obj"]).pick_file(),
                 Purpose::Save => {
-                    dialog.add_filter("Rasterscope", &["json"]).set_file_name("scene.json").save_file()
+                    dialog.add_filter("Rasterscope", &["json"]).set_file_name(proposed).save_file()
                 }
                 Purpose::Picture => {
-                    dialog.add_filter("SVG, PNG", &["svg", "png"]).set_file_name("picture.svg").save_file()
+                    dialog.add_filter("SVG, PNG", &["svg", "png"]).set_file_name(proposed).save_file()
+                }
+                Purpose::Film => {
+                    dialog.add_filter("APNG", &["png", "apng"]).set_file_name(proposed).save_file()
                 }
             };
             if let Some(path) = path {
@@ -76,15 +80,13 @@ impl Platform for Desktop {
         fs::create_dir_all(folder)?;
         write_whole(&folder.join(name), bytes)
     }
-}
 
-/// Writes beside the file first, then puts the new one in its place: whole or not at all.
-fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut beside = OsString::from(path);
-    beside.push(".part");
-    let beside = PathBuf::from(beside);
-    fs::write(&beside, bytes).and_then(|()| fs::rename(&beside, path)).inspect_err(|_| {
-        // The first error is the one to report.
-        let _ = fs::remove_file(&beside);
-    })
+    fn spawn(&mut self, work: Box<dyn FnOnce() + Send>) {
+        let ctx = self.ctx.clone();
+        // Where no thread can be started, the work is lost, and the window says so.
+        let _ = thread::Builder::new().spawn(move || {
+            work();
+            ctx.request_repaint();
+        });
+    }
 }

@@ -35,6 +35,9 @@ fn main() -> ExitCode {
         Request::Compute(lines) => compute::compute(&mut io::stdin().lock(), lines, output),
         Request::Trace(options) => trace::trace(&options, output),
         Request::Figure(options) => figure::figure(&options, &mut io::stderr()),
+        Request::Animate(options, film) => {
+            with_progress(|progress| figure::animate(&options, film, progress))
+        }
         Request::Tour(options) => write_tour(&options).map(|_| ()),
         Request::List => list::list(output),
     };
@@ -51,11 +54,14 @@ fn finish(done: Result<(), Failure>) -> ExitCode {
     }
 }
 
-/// Writes the tour, with its progress where someone can see it.
 fn write_tour(options: &TourOptions) -> Result<PathBuf, Failure> {
+    with_progress(|progress| tour::tour(options, progress))
+}
+
+/// Does long work that tells its progress where someone can see it.
+fn with_progress<T>(work: impl FnOnce(Option<&mut dyn Write>) -> T) -> T {
     let mut terminal = io::stderr();
-    let progress = terminal.is_terminal().then_some(&mut terminal as &mut dyn Write);
-    tour::tour(options, progress)
+    work(terminal.is_terminal().then_some(&mut terminal as &mut dyn Write))
 }
 
 /// Opens the window; without one it says why, and writes the tour instead.

@@ -4,6 +4,7 @@ use rasterscope_core::message::Message;
 use std::{fmt, io};
 
 use crate::words::say;
+pub(crate) use rasterscope_figure::words::reason;
 
 /// A command that did not do its work: what, where and what to do, in one sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -57,25 +58,5 @@ pub(crate) fn written(result: io::Result<()>) -> Result<(), Failure> {
             Err(Failure::work(&Message::new("error-output").with("why", reason(&error))))
         }
         _ => Ok(()),
-    }
-}
-
-/// The operating system's reason, as an argument of a sentence.
-pub(crate) fn reason(error: &io::Error) -> rasterscope_core::message::Value {
-    use io::ErrorKind::{
-        AlreadyExists, FileTooLarge, IsADirectory, NotADirectory, NotFound, PermissionDenied,
-        ReadOnlyFilesystem, StorageFull,
-    };
-    use rasterscope_core::message::Value;
-    match error.kind() {
-        NotFound => Value::Word("word-does-not-exist"),
-        AlreadyExists => Value::Word("word-is-in-the-way"),
-        PermissionDenied => Value::Word("word-no-permission"),
-        IsADirectory => Value::Word("word-is-a-folder"),
-        NotADirectory => Value::Word("word-is-no-folder"),
-        ReadOnlyFilesystem => Value::Word("word-read-only"),
-        StorageFull => Value::Word("word-disk-full"),
-        FileTooLarge => Value::Word("word-too-large"),
-        _ => Value::text(error),
     }
 }

@@ -1,13 +1,15 @@
 //! `rasterscope figure`: the picture of a lab after some steps, as on the screen.
 
 use rasterscope_core::{
-    explain::{Mark, View},
+    explain::{Level, Mark, View},
     labs,
     message::{Message, Value},
     pipeline::{self, Skips},
     replay::{Budget, Playback},
+    scene::Scene,
 };
 use rasterscope_figure::{
+    animation::Film,
     figure::Figure,
     layout::{self, Placement},
     png, svg,
@@ -17,6 +19,7 @@ use std::{io::Write, path::PathBuf};
 
 use crate::{
     Failure, files,
+    progress::Progress,
     tour::{image, image_view},
     trace::check_name,
     words::{WORDS, say},
@@ -48,30 +51,21 @@ pub struct FigureOptions {
     pub output: PathBuf,
 }
 
+/// How a run becomes an animated picture.
+#[derive(Clone, Copy, Debug)]
+pub struct AnimateOptions {
+    /// How big a step is; `None`: the finest with few enough of them.
+    pub level: Option<Level>,
+    /// How long a frame stays, in milliseconds.
+    pub delay: u16,
+}
+
 /// Draws a step and writes it whole or not at all. `notes` gets a line if there is no such step.
 pub fn figure(options: &FigureOptions, notes: &mut dyn Write) -> Result<(), Failure> {
-    check_name(&options.lab)?;
-    let ending = options.output.extension().map(std::ffi::OsStr::to_ascii_lowercase);
-    let svg_wanted = match ending.as_deref().and_then(|ending| ending.to_str()) {
-        Some("svg") => true,
-        Some("png") => false,
-        _ => {
-            let message = Message::new("error-figure-ending");
-            let file = Value::text(options.output.display());
-            return Err(Failure::usage(&message.with("file", file)));
-        }
-    };
-    if options.size.iter().any(|side| !(16..=8192).contains(side)) {
-        return Err(Failure::usage(&Message::new("error-figure-size")));
-    }
+    let svg_wanted = options.check(&["svg", "png"], "error-figure-ending")? == "svg";
     let scene = files::open_lab(&options.lab, &options.file)?;
-    let (size, theme) = (options.size.map(|side| side as f32), options.theme.theme());
     let figure = match options.step {
-        // The end of the whole pipeline is the image itself, of any scene.
-        None if options.lab == "pipeline" => {
-            let frame = pipeline::render(&scene, &Skips::ALL);
-            lay_out(&[image(&frame)], &image_view(&scene), size, theme)
-        }
+        None if options.lab == "pipeline" => end_of_pipeline(&scene, options),
         step => {
             let mut run = labs::play(&scene, Budget::default()).map_err(|message| Failure::work(&message))?;
             if let Some(asked) = step.filter(|step| *step > run.len()) {
@@ -80,11 +74,67 @@ pub fn figure(options: &FigureOptions, notes: &mut dyn Write) -> Result<(), Fail
                 let _ = writeln!(notes, "{}", say(&note.with("asked", asked)));
             }
             run.seek(step.unwrap_or(usize::MAX));
-            draw(&*run, size, theme)
+            draw(&*run, options.points(), options.theme.theme())
         }
     };
     let bytes = if svg_wanted { svg::svg(&figure).into_bytes() } else { png::png(&figure, PIXELS_PER_POINT) };
     files::write(&options.output, &bytes)
+}
+
+/// Draws every step and writes them whole or not at all as one animated PNG; `options.step` is not
+/// looked at. `progress` gets a line that is written over and over, and is for terminals only.
+pub fn animate(
+    options: &FigureOptions,
+    animate: AnimateOptions,
+    progress: Option<&mut dyn Write>,
+) -> Result<(), Failure> {
+    options.check(&["png", "apng"], "error-animation-ending")?;
+    let scene = files::open_lab(&options.lab, &options.file)?;
+    let mut run = labs::play(&scene, Budget::default()).map_err(|message| Failure::work(&message))?;
+    let film = Film::new(&*run, animate.level).map_err(|message| Failure::work(&message))?;
+    let mut progress = Progress(progress);
+    let message = Message::new("cli-frames").with("all", film.steps.len());
+    let draw = |run: &dyn Playback| {
+        if options.lab == "pipeline" && run.cursor() == run.len() {
+            return end_of_pipeline(&scene, options);
+        }
+        draw(run, options.points(), options.theme.theme())
+    };
+    let watch = |done: usize| {
+        progress.say(&message.clone().with("number", done + 1));
+        true
+    };
+    let bytes = film.record(&mut *run, animate.delay, PIXELS_PER_POINT, draw, watch);
+    progress.clear();
+    // Nothing stops the work here, and all figures have one size.
+    files::write(&options.output, &bytes.unwrap_or_default())
+}
+
+impl FigureOptions {
+    /// Refuses what is no lab, ends in none of `endings`, or has no such size; returns the ending.
+    fn check(&self, endings: &[&'static str], wrong: &'static str) -> Result<&'static str, Failure> {
+        check_name(&self.lab)?;
+        let ending = self.output.extension().map(std::ffi::OsStr::to_ascii_lowercase);
+        let ending = ending.and_then(|ending| endings.iter().find(|each| ending == ***each));
+        let Some(ending) = ending else {
+            let file = Value::text(self.output.display());
+            return Err(Failure::usage(&Message::new(wrong).with("file", file)));
+        };
+        if self.size.iter().any(|side| !(16..=8192).contains(side)) {
+            return Err(Failure::usage(&Message::new("error-figure-size")));
+        }
+        Ok(ending)
+    }
+
+    fn points(&self) -> [f32; 2] {
+        self.size.map(|side| side as f32)
+    }
+}
+
+/// The end of the whole pipeline is the image itself, of any scene.
+fn end_of_pipeline(scene: &Scene, options: &FigureOptions) -> Figure {
+    let frame = pipeline::render(scene, &Skips::ALL);
+    lay_out(&[image(&frame)], &image_view(scene), options.points(), options.theme.theme())
 }
 
 /// The drawing of a run at its cursor.

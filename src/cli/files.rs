@@ -48,36 +48,47 @@ fn name(path: &Path) -> Value {
     Value::text(path.display())
 }
 
+/// [`write_whole`], with a sentence that says what is wrong.
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_whole(path, bytes).map_err(|error| {
+        let target = followed(path);
+        let message = |id, why| Message::new(id).with("file", name(path)).with("why", why);
+        Failure::work(&match target.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+            Some(folder) if !folder.exists() => {
+                Message::new("error-no-folder").with("file", name(path)).with("folder", name(folder))
+            }
+            _ if is_read_only(&target) => message("error-cannot-write", Value::Word("word-file-read-only")),
+            _ => message("error-cannot-write", reason(&error)),
+        })
+    })
+}
+
 /// Writes a file whole or not at all; what stood there before stays until the new one is whole.
 ///
 /// A symbolic link stays one: what it points to is written. A file keeps its permissions, and one
 /// that may not be written is refused, though its folder would let it be replaced.
-pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let target = followed(path);
-    let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty());
-    if let Some(folder) = folder.filter(|folder| !folder.exists()) {
-        let message = Message::new("error-no-folder").with("file", name(path));
-        return Err(Failure::work(&message.with("folder", name(folder))));
-    }
-    let refuse =
-        |why| Failure::work(&Message::new("error-cannot-write").with("file", name(path)).with("why", why));
     let old = fs::metadata(&target).ok().map(|old| old.permissions());
     if old.is_some() {
-        if old.as_ref().is_some_and(fs::Permissions::readonly) {
-            return Err(refuse(Value::Word("word-file-read-only")));
+        if is_read_only(&target) {
+            return Err(io::ErrorKind::PermissionDenied.into());
         }
-        File::options().write(true).open(&target).map_err(|error| refuse(reason(&error)))?;
+        File::options().write(true).open(&target)?;
     }
     let mut part = target.clone().into_os_string();
     part.push(format!(".{}.part", std::process::id()));
     let written = fs::write(&part, bytes)
         .and_then(|()| old.map_or(Ok(()), |old| fs::set_permissions(&part, old)))
         .and_then(|()| fs::rename(&part, &target));
-    written.map_err(|error| {
-        // What cannot be removed was not written either.
+    written.inspect_err(|_| {
+        // What cannot be removed was not written either; the first error is the one to report.
         let _ = fs::remove_file(&part);
-        refuse(reason(&error))
     })
+}
+
+fn is_read_only(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|file| file.permissions().readonly())
 }
 
 /// Where a chain of symbolic links leads, also if nothing is there yet.
@@ -136,7 +147,7 @@ pub(crate) fn open_lab(lab: &str, path: &Path) -> Result<Scene, Failure> {
     // What needs no input beyond the scene's triangles starts on any scene that has some.
     match labs::default_input(lab) {
         Some(input) if !from_request && input.is_of_scene() => {
-            scene.lab = Some(Lab { step: None, input });
+            scene.lab = Some(Lab::new(input));
             Ok(scene)
         }
         _ => {

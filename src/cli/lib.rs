@@ -10,6 +10,7 @@ mod failure;
 pub mod figure;
 pub mod files;
 pub mod list;
+mod progress;
 pub mod tour;
 pub mod trace;
 mod words;

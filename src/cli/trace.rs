@@ -142,7 +142,7 @@ fn write_json(run: &mut dyn Playback, output: &mut dyn Write) -> io::Result<()> 
             step,
             line: line.map(|line| line + 1),
             code: line.and_then(|line| listing.get(line)).map_or("", |code| code.trim()),
-            level: level_name(run.level().unwrap_or(Level::Detail)),
+            level: run.level().unwrap_or(Level::Detail).name(),
             sentence: say(&run.sentence()),
             event: run.event_json().unwrap_or_default(),
             values: run.tables().iter().map(table_json).collect(),
@@ -151,14 +151,6 @@ fn write_json(run: &mut dyn Playback, output: &mut dyn Write) -> io::Result<()> 
         output.write_all(b"\n")?;
     }
     output.flush()
-}
-
-fn level_name(level: Level) -> &'static str {
-    match level {
-        Level::Primitive => "primitive",
-        Level::Row => "row",
-        Level::Detail => "detail",
-    }
 }
 
 fn table_json(table: &Table) -> serde_json::Value {

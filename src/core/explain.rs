@@ -9,6 +9,7 @@ mod operations;
 pub use operations::Operations;
 
 use crate::{
+    compare::Fact,
     message::{Message, Value},
     replay::State,
 };
@@ -27,6 +28,15 @@ pub enum Level {
 impl Level {
     /// From coarse to fine.
     pub const ALL: [Self; 3] = [Self::Primitive, Self::Row, Self::Detail];
+
+    /// The name on the command line and in traces.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Primitive => "primitive",
+            Self::Row => "row",
+            Self::Detail => "detail",
+        }
+    }
 }
 
 /// What a mark means. The theme maps a role to a colour AND a marker AND a dash.
@@ -319,4 +329,9 @@ pub trait Explain: State {
     fn marks(&self, event: Option<&Self::Event>, out: &mut Vec<Mark>);
     /// What part of the plane the drawing shows; the same at every step.
     fn view(&self) -> View;
+    /// The result so far as facts, in any order: what a comparison of two runs looks at.
+    ///
+    /// Values as computed, not as drawn. Every registered lab has some at the end of every run
+    /// that yields anything (tested).
+    fn facts(&self, _out: &mut Vec<Fact>) {}
 }

@@ -6,6 +6,7 @@
 //! interface.
 #![forbid(unsafe_code)]
 
+pub mod compare;
 pub mod explain;
 pub mod history;
 pub mod labs;

@@ -28,5 +28,6 @@ mod labels;
 pub mod layout;
 pub mod orbit;
 
+pub mod animation;
 pub mod png;
 pub mod svg;

@@ -188,7 +188,8 @@ fn short(x: f32) -> String {
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
-fn escape(text: &str) -> String {
+/// Text as it stands in XML and HTML, also inside quotes; a space for each control character.
+pub fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -196,7 +197,7 @@ fn escape(text: &str) -> String {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
-            // XML 1.0 has no other control characters.
+            // XML 1.0 has hardly any, HTML should have none.
             c if c.is_control() => out.push(' '),
             c => out.push(c),
         }

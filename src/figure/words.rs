@@ -4,7 +4,7 @@
 //! name; `words` holds what several share (`column-...`, `error-...`, `preset-...` and single
 //! words). Adding a file is adding its name to [`LANGUAGES`].
 
-use std::fmt::Write;
+use std::{fmt::Write, io};
 
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue, concurrent::FluentBundle};
 use fluent_syntax::ast::Entry;
@@ -39,6 +39,22 @@ pub fn plain(marked: &str) -> String {
     marked.replace(STRONG, "")
 }
 
+/// The operating system's reason, as an argument of a sentence.
+pub fn reason(error: &io::Error) -> Value {
+    use io::ErrorKind as Kind;
+    match error.kind() {
+        Kind::NotFound => Value::Word("word-does-not-exist"),
+        Kind::AlreadyExists => Value::Word("word-is-in-the-way"),
+        Kind::PermissionDenied => Value::Word("word-no-permission"),
+        Kind::IsADirectory => Value::Word("word-is-a-folder"),
+        Kind::NotADirectory => Value::Word("word-is-no-folder"),
+        Kind::ReadOnlyFilesystem => Value::Word("word-read-only"),
+        Kind::StorageFull | Kind::QuotaExceeded => Value::Word("word-disk-full"),
+        Kind::FileTooLarge => Value::Word("word-too-large"),
+        _ => Value::text(error),
+    }
+}
+
 /// One language: its tag and its files by name.
 #[derive(Clone, Copy, Debug)]
 pub struct Language {
@@ -66,15 +82,17 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "labs"
     "scene"
     "ui"
+    "compare"
     "pipeline"
     "transform"
+    "back-face"
     "clip-line"
+    "point-clipping"
     "cohen-sutherland"
     "liang-barsky"
     "cyrus-beck"
     "midpoint"
     "nicholl-lee-nicholl"
-    "midpoint"
     "aabb"
     "scanline"
     "z-buffer"

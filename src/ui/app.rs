@@ -2,7 +2,9 @@
 
 use crate::{
     document::{Document, ViewState},
+    evaluation::Evaluation,
     face::Command,
+    film::Film,
     keeping::Kept,
     labs::{self, Lab},
     overview::Overview,
@@ -17,8 +19,6 @@ use egui::{Context, Ui};
 use rasterscope_core::{
     history::History,
     labs::{self as core_labs, LabInput},
-    message::Message,
-    replay::Budget,
     scene::Scene,
 };
 use rasterscope_figure::words::Words;
@@ -31,8 +31,7 @@ pub struct App {
     pub(crate) history: History<Document>,
     pub(crate) view: ViewState,
     pub(crate) run: Run,
-    /// The scene that the run is of, and why there is no run.
-    ran: Option<(Scene, Option<Message>)>,
+    pub(crate) evaluation: Evaluation,
     pub(crate) digest: Option<Digest>,
     pub(crate) overview: Overview,
     pub(crate) canvas: Canvas,
@@ -43,6 +42,8 @@ pub struct App {
     /// The preset that was opened, and what it was; no longer chosen once something is edited.
     pub(crate) preset: Option<(&'static str, Scene)>,
     pub(crate) notice: Option<Notice>,
+    /// The animated picture that is being made.
+    pub(crate) film: Option<Film>,
     /// Where the document came from, and what was last written there.
     pub(crate) path: Option<String>,
     /// The document as it was opened or saved; `None`: its edits are in no file.
@@ -73,7 +74,7 @@ impl App {
             history: History::default(),
             view,
             run: Run::default(),
-            ran: None,
+            evaluation: Evaluation::default(),
             digest: None,
             overview: Overview::default(),
             canvas: Canvas::default(),
@@ -83,6 +84,7 @@ impl App {
             names,
             preset: None,
             notice: None,
+            film: None,
             path: None,
             clean: None,
             kept: Kept::default(),
@@ -111,11 +113,13 @@ impl App {
             Purpose::Open => Command::Open(path),
             Purpose::Save => Command::SaveAs(path),
             Purpose::Picture => Command::Picture(path),
+            Purpose::Film => Command::Film(path),
         }));
         commands.extend(crate::shell::keys::pressed(&ctx, self.canvas.handles()));
         self.execute(&ctx, commands, platform);
+        self.end_film(&ctx, platform);
         self.play(&ctx);
-        self.update();
+        self.update(&ctx, platform);
 
         self.history.begin(&self.document);
         let commands = RefCell::default();
@@ -135,26 +139,6 @@ impl App {
         self.autosave(&ctx, platform);
     }
 
-    /// Starts the run anew if what it depends on has changed.
-    pub(crate) fn update(&mut self) {
-        let scene = &self.document.scene;
-        self.overview.update(scene, self.view.skips);
-        if self.ran.as_ref().is_some_and(|(old, _)| old == scene) {
-            return;
-        }
-        let problem = match core_labs::play(scene, Budget::default()) {
-            Ok(playback) => {
-                self.run.set(playback);
-                None
-            }
-            Err(problem) => {
-                self.run.clear();
-                Some(problem)
-            }
-        };
-        self.ran = Some((scene.clone(), problem));
-    }
-
     /// Takes the steps that are due, and asks for the frame in which the next one is.
     fn play(&mut self, ctx: &Context) {
         let Some(due) = self.view.due else { return };
@@ -171,11 +155,6 @@ impl App {
             }
             _ => self.view.due = None,
         }
-    }
-
-    /// Why nothing runs, if so.
-    pub(crate) fn problem(&self) -> Option<String> {
-        self.ran.as_ref().and_then(|(_, problem)| problem.as_ref()).map(|problem| self.words.message(problem))
     }
 
     /// The open lab.
@@ -206,12 +185,7 @@ impl App {
         self.view.due = None;
         self.view.pixel = None;
         self.notice = None;
-        self.run.clear();
-        self.ran = None;
-        self.update();
-        if let Some(step) = step {
-            self.run.seek(step);
-        }
+        self.start_anew(step);
         self.canvas.fit();
     }
 }

@@ -15,7 +15,7 @@ use rasterscope_core::{
     message::{Message, Value},
     scene,
 };
-use rasterscope_figure::theme::ThemeName;
+use rasterscope_figure::{theme::ThemeName, words::reason};
 use std::rc::Rc;
 
 impl App {
@@ -68,19 +68,23 @@ impl App {
             Command::Preset(name) => self.open_preset(name),
             Command::Open(path) => self.open(&path, platform),
             Command::Choose(purpose) => {
-                if !platform.choose_file(purpose) {
+                let proposed = self.proposed(purpose);
+                if !platform.choose_file(purpose, files::split(&proposed)[1]) {
                     self.notice = Some(Notice::Failed(self.words.word("ui-no-dialog")));
                 }
             }
             Command::AskOpen => self.ask_path(Purpose::Open),
             Command::AskSave => self.ask_path(Purpose::Save),
             Command::AskPicture => self.ask_path(Purpose::Picture),
+            Command::AskFilm => self.ask_path(Purpose::Film),
             Command::SaveAs(path) => self.save(ctx, &path, platform),
             Command::Save => match self.path.clone().filter(|path| path.ends_with(".json")) {
                 Some(path) => self.save(ctx, &path, platform),
                 None => self.ask_path(Purpose::Save),
             },
             Command::Picture(path) => self.write_picture(&path, platform),
+            Command::Film(path) => self.start_film(ctx, &path, platform),
+            Command::Stop => self.stop_film(),
             Command::CopyPicture => self.copy_picture(ctx),
             Command::CopyValues => self.copy_values(ctx),
             Command::Dismiss => {
@@ -152,19 +156,25 @@ impl App {
             self.then = None;
         } else if self.view.choices {
             self.view.choices = false;
-        } else {
+        } else if self.view.playing() {
             self.view.due = None;
+        } else {
+            self.stop_film();
         }
     }
 
     fn ask_path(&mut self, purpose: Purpose) {
-        let path = match (purpose, &self.path) {
-            (Purpose::Picture, _) => "picture.svg".to_owned(),
+        self.notice = Some(Notice::Path { purpose, path: self.proposed(purpose), fresh: true });
+    }
+
+    /// The path that is offered.
+    fn proposed(&self, purpose: Purpose) -> String {
+        match (purpose, &self.path) {
+            (Purpose::Picture | Purpose::Film, _) => self.picture_path(purpose),
             (_, Some(path)) if purpose == Purpose::Open || path.ends_with(".json") => path.clone(),
             (Purpose::Open, _) => String::new(),
             (Purpose::Save, _) => "scene.json".to_owned(),
-        };
-        self.notice = Some(Notice::Path { purpose, path, fresh: true });
+        }
     }
 
     /// Opens a preset of the program.
@@ -211,7 +221,7 @@ impl App {
             self.path = Some(path.to_owned());
             self.clean = Some(self.document.clone());
         }
-        self.written(path, done);
+        self.saved(path, done);
         if let Some(then) = then {
             self.one(ctx, *then, platform);
         }
@@ -232,5 +242,5 @@ fn resize(ctx: &Context, by: isize) {
 
 /// What went wrong with a file.
 pub(crate) fn unreadable(id: &'static str, path: &str, error: &std::io::Error) -> Message {
-    Message::new(id).with("path", Value::text(path)).with("reason", Value::text(error))
+    Message::new(id).with("path", Value::text(path)).with("reason", reason(error))
 }

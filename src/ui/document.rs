@@ -22,7 +22,7 @@ impl Document {
     /// A document of a scene; a scene without a lab opens the overview.
     pub(crate) fn new(mut scene: Scene) -> Self {
         // The step belongs to the view.
-        scene.lab.get_or_insert(Lab { step: None, input: LabInput::PIPELINE }).step = None;
+        scene.lab.get_or_insert(Lab::new(LabInput::PIPELINE)).step = None;
         Self { scene, others: Vec::new() }
     }
 
@@ -49,9 +49,7 @@ impl Document {
         if !std::iter::once(self.input()).chain(&self.others).all(same) {
             return false;
         }
-        // The labs are compared: what else there is, without a copy of the meshes.
-        let bare = |document: &Self| Scene { lab: None, ..document.scene.clone() };
-        bare(self) == bare(clean)
+        self.scene.same_picture(&clean.scene)
     }
 
     /// The inputs of the open lab.
@@ -61,7 +59,7 @@ impl Document {
 
     /// The inputs of the open lab, to edit.
     pub(crate) fn input_mut(&mut self) -> &mut LabInput {
-        &mut self.scene.lab.get_or_insert(Lab { step: None, input: LabInput::PIPELINE }).input
+        &mut self.scene.lab.get_or_insert(Lab::new(LabInput::PIPELINE)).input
     }
 
     /// Opens another lab with the inputs it had, or with `first` at its first time.
@@ -73,7 +71,7 @@ impl Document {
         self.others.retain(|other| other.name() != old.name());
         self.others.push(old);
         let known = self.others.iter().find(|other| other.name() == name).cloned();
-        self.scene.lab = Some(Lab { step: None, input: known.unwrap_or_else(first) });
+        self.scene.lab = Some(Lab::new(known.unwrap_or_else(first)));
     }
 }
 

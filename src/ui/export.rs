@@ -2,7 +2,8 @@
 
 use crate::{
     app::App,
-    platform::Platform,
+    files,
+    platform::{Platform, Purpose},
     shell::{
         inspector::{Digest, csv},
         notice::Notice,
@@ -13,9 +14,30 @@ use rasterscope_core::message::{Message, Value};
 use rasterscope_figure::{figure::Figure, png, svg};
 
 /// Pixels of a picture for each point of the canvas.
-const PIXELS_PER_POINT: f32 = 2.0;
+pub(crate) const PIXELS_PER_POINT: f32 = 2.0;
 
 impl App {
+    /// The path that is offered for a picture: lab, what is open, and the step.
+    pub(crate) fn picture_path(&self, purpose: Purpose) -> String {
+        let lab = self.labs[self.lab()].name();
+        let open = match (&self.path, &self.preset) {
+            (Some(path), _) => {
+                let [_, file] = files::split(path);
+                file.rsplit_once('.').map_or(file, |(stem, _)| stem)
+            }
+            (None, Some((preset, _))) => preset,
+            (None, None) => "",
+        };
+        let step = match (purpose, self.run.shown()) {
+            (Purpose::Picture, Some(shown)) => format!("step{}", shown.cursor),
+            (Purpose::Film, _) => "run".to_owned(),
+            _ => String::new(),
+        };
+        let ending = if purpose == Purpose::Film { "png" } else { "svg" };
+        let parts = [lab, open, &step].into_iter().filter(|part| !part.is_empty());
+        format!("{}.{ending}", parts.collect::<Vec<_>>().join("-"))
+    }
+
     /// The drawing on the canvas, or why there is none.
     fn picture(&mut self) -> Option<&Figure> {
         if self.canvas.last_figure().is_none() {
@@ -36,15 +58,18 @@ impl App {
                 return;
             }
         };
-        self.written(path, platform.write(path, &bytes));
+        self.saved(path, platform.write(path, &bytes));
     }
 
-    /// Says how writing a file went.
-    pub(crate) fn written(&mut self, path: &str, done: std::io::Result<()>) {
+    /// Says how saving a file went.
+    pub(crate) fn saved(&mut self, path: &str, done: std::io::Result<()>) {
+        self.written(path, &Message::new("ui-saved").with("path", Value::text(path)), done);
+    }
+
+    /// Says how writing a file went, in the words of `good` if it went well.
+    pub(crate) fn written(&mut self, path: &str, good: &Message, done: std::io::Result<()>) {
         self.notice = Some(match done {
-            Ok(()) => {
-                Notice::Done(self.words.message(&Message::new("ui-saved").with("path", Value::text(path))))
-            }
+            Ok(()) => Notice::Done(self.words.message(good)),
             Err(error) => {
                 let message = super::commands::unreadable("ui-error-write", path, &error);
                 Notice::Failed(self.words.message(&message))

@@ -86,6 +86,12 @@ pub(crate) enum Command {
     AskPicture,
     /// Write the picture.
     Picture(String),
+    /// Ask for a path to write the run to, as an animated picture.
+    AskFilm,
+    /// Write the run as an animated picture.
+    Film(String),
+    /// Stop what the timeline shows the progress of.
+    Stop,
     /// Put the picture on the clipboard.
     CopyPicture,
     /// Put the values on the clipboard.

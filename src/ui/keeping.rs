@@ -10,10 +10,8 @@ use crate::{
     shell::notice::Notice,
 };
 use egui::{Context, ViewportCommand};
-use rasterscope_core::{
-    message::{Message, Value},
-    scene,
-};
+use rasterscope_core::{message::Message, scene};
+use rasterscope_figure::words::reason;
 use std::time::Duration;
 
 /// The work and the settings, as they are.
@@ -182,7 +180,7 @@ impl App {
         if let Err(error) = platform.keep(SESSION, &session.to_bytes())
             && !std::mem::replace(&mut self.kept.failed, true)
         {
-            let message = Message::new("ui-error-keep").with("reason", Value::text(error));
+            let message = Message::new("ui-error-keep").with("reason", reason(&error));
             self.notice = Some(Notice::Failed(self.words.message(&message)));
         }
         self.kept.due = None;

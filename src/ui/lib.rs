@@ -10,9 +10,11 @@
 mod app;
 mod commands;
 mod document;
+mod evaluation;
 mod export;
 mod face;
 mod files;
+mod film;
 mod keeping;
 mod labs;
 mod overview;
@@ -23,6 +25,7 @@ mod presets;
 mod run;
 mod session;
 mod shell;
+mod task;
 mod theme;
 mod widgets;
 

@@ -80,11 +80,12 @@ impl App {
                 .frame(plain(look.panel, Margin::ZERO))
                 .show(ui, |ui| notice::show(ui, &face, notice));
         }
+        let busy = self.busy(ui.ctx());
         Panel::bottom("timeline")
             .exact_size(if look.projector() { 76.0 } else { 64.0 })
             .resizable(false)
             .frame(plain(look.panel, Margin::ZERO))
-            .show(ui, |ui| timeline::show(ui, &face, self.run.shown(), &self.view));
+            .show(ui, |ui| timeline::show(ui, &face, self.run.shown(), &self.view, busy.as_ref()));
         if !narrow {
             Panel::left("choices")
                 .exact_size(CHOICES[usize::from(look.projector())])

@@ -13,9 +13,9 @@ pub trait Platform {
     /// Writes a file whole or not at all.
     fn write(&mut self, path: &str, bytes: &[u8]) -> io::Result<()>;
 
-    /// Lets the user choose a file; the answer comes later, by [`Self::chosen`].
-    /// `false` if there is no such dialog here: a path can still be typed.
-    fn choose_file(&mut self, purpose: Purpose) -> bool;
+    /// Lets the user choose a file, a new one of the name `proposed` perhaps; the answer comes later,
+    /// by [`Self::chosen`]. `false` if there is no such dialog here: a path can still be typed.
+    fn choose_file(&mut self, purpose: Purpose, proposed: &str) -> bool;
 
     /// The file chosen since the last call, and for what.
     fn chosen(&mut self) -> Option<(Purpose, String)>;
@@ -25,6 +25,10 @@ pub trait Platform {
 
     /// Keeps bytes in the program's own folder, whole or not at all.
     fn keep(&mut self, name: &str, bytes: &[u8]) -> io::Result<()>;
+
+    /// Does work beside the window, and has a frame painted when it is done. Where nothing can be
+    /// beside the window, it is done before this returns.
+    fn spawn(&mut self, work: Box<dyn FnOnce() + Send>);
 }
 
 /// What a file is chosen for.
@@ -36,4 +40,6 @@ pub enum Purpose {
     Save,
     /// A picture to write.
     Picture,
+    /// An animated picture to write.
+    Film,
 }

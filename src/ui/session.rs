@@ -39,10 +39,7 @@ impl Session {
         if let Some(lab) = &mut scene.lab {
             lab.step = step;
         }
-        let alone = |input: &LabInput| Scene {
-            lab: Some(Lab { step: None, input: input.clone() }),
-            ..Scene::empty([8, 8])
-        };
+        let alone = |input: &LabInput| Scene { lab: Some(Lab::new(input.clone())), ..Scene::empty([8, 8]) };
         let others = document.others().iter().map(alone).collect();
         Self { settings, path: None, preset: None, modified: false, scene, others }
     }

@@ -2,7 +2,10 @@
 
 use super::{Coverage, LINE_WINDOW, Random, check_golden, check_laws, counted, line, log_text, window};
 use rasterscope_core::{
-    clip::line::{Mistakes, Segment, Window, cohen_sutherland, liang_barsky, midpoint, nicholl_lee_nicholl},
+    clip::line::{
+        ConvexWindow, Mistakes, Segment, Window, cohen_sutherland, cyrus_beck, liang_barsky, midpoint,
+        nicholl_lee_nicholl,
+    },
     explain::{Explain, Operations},
     math::{Arithmetic, Real, Tally},
     replay::{Budget, Player, State},
@@ -48,7 +51,7 @@ pub(crate) trait Clipper {
 }
 
 macro_rules! clipper {
-    ($name:ident: $module:ident $(, $mistakes:expr)?) => {
+    ($name:ident: $module:ident in $window:expr $(, $mistakes:expr)?) => {
         pub(crate) struct $name;
 
         impl Clipper for $name {
@@ -60,7 +63,7 @@ macro_rules! clipper {
                 arithmetic: Arithmetic,
                 t: &mut T,
             ) -> Option<Segment> {
-                ends($module::clip_traced(segment, window, arithmetic, &mut Tally::default(), t))
+                ends($module::clip_traced(segment, &$window(*window), arithmetic, &mut Tally::default(), t))
             }
 
             fn taught<R: Real, T: Tracer<EventOf<Self>>>(
@@ -68,7 +71,7 @@ macro_rules! clipper {
                 window: &Window,
                 t: &mut T,
             ) -> Option<Segment> {
-                ends($module::clip_taught::<R, T>(segment, window, $($mistakes,)? t))
+                ends($module::clip_taught::<R, T>(segment, &$window(*window), $($mistakes,)? t))
             }
 
             fn play(
@@ -77,7 +80,7 @@ macro_rules! clipper {
                 arithmetic: Arithmetic,
                 budget: Budget,
             ) -> Player<Self::Snapshot> {
-                $module::play(segment, window, arithmetic, budget)
+                $module::play(segment, $window(window), arithmetic, budget)
             }
 
             fn result(state: &Self::Snapshot) -> Option<Segment> {
@@ -87,10 +90,11 @@ macro_rules! clipper {
     };
 }
 
-clipper!(CohenSutherland: cohen_sutherland, Mistakes::NONE);
-clipper!(LiangBarsky: liang_barsky);
-clipper!(Midpoint: midpoint);
-clipper!(NichollLeeNicholl: nicholl_lee_nicholl);
+clipper!(CohenSutherland: cohen_sutherland in Window::from, Mistakes::NONE);
+clipper!(LiangBarsky: liang_barsky in Window::from);
+clipper!(CyrusBeck: cyrus_beck in ConvexWindow::from);
+clipper!(Midpoint: midpoint in Window::from);
+clipper!(NichollLeeNicholl: nicholl_lee_nicholl in Window::from);
 
 /// The visible segment of what an algorithm answers.
 fn ends(answer: Option<impl Into<Ends>>) -> Option<Segment> {

@@ -1,20 +1,24 @@
 //! Shared by all test modules: random inputs, the laws of a traced algorithm, golden files.
 
 mod clippers;
+mod convex;
 mod counted;
 mod golden;
 mod laws;
 mod lines;
+mod polygons;
 mod random;
 mod triangles;
 
 pub(crate) use clippers::{
-    ARITHMETICS, Clipper, CohenSutherland, LiangBarsky, Midpoint, NichollLeeNicholl, bits, check_log,
-    costs_what_it_says, keeps_the_laws, rounding_fails,
+    ARITHMETICS, Clipper, CohenSutherland, CyrusBeck, LiangBarsky, Midpoint, NichollLeeNicholl, bits,
+    check_log, costs_what_it_says, keeps_the_laws, rounding_fails,
 };
+pub(crate) use convex::{convex, visible_part_of};
 pub(crate) use counted::{Counted, counted};
 pub(crate) use golden::{check_golden, log_text};
 pub(crate) use laws::{Coverage, check_laws};
 pub(crate) use lines::{LINE_WINDOW, line, visible_part, window};
+pub(crate) use polygons::{Exact, check_corners, convex_part, exact, hull, place, polygon, turn, winding};
 pub(crate) use random::Random;
 pub(crate) use triangles::{areas, covered, plane_value, triangle};

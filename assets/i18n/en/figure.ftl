@@ -11,3 +11,6 @@ figure-values-hidden = { $cells ->
 figure-dark = Dark
 figure-light = Light
 figure-projector = Projector
+
+figure-film-too-fine = An animated picture has at most { $most } frames; this one would have { $frames }. Choose larger steps.
+figure-film-too-long = An animated picture has at most { $most } frames; even with the largest steps this one would have { $frames }. Choose a smaller scene.

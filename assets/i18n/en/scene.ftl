@@ -44,6 +44,7 @@ error-scene-polygon-corners = { $path }: the window must have 3 to 32 corners.
 error-scene-polygon-no-area = { $path }: all corners lie on one line, so the window has no inside. Move one of them off the line.
 error-scene-polygon-not-convex = { $path }: the window must be convex, and a corner bends inward or the outline crosses itself. Move that corner outward.
 error-scene-none-there = { $path }: there is none to choose from. Add one, or remove the lab.
+error-scene-no-setting = { $path }: name the one setting in which the two sides differ, such as {"{"}"fill_rule": "inclusive"{"}"}.
 error-scene-no-file-name = { $path }: this is no file name. Write the name of an OBJ file, such as "cube.obj".
 error-scene-draw-out-of-range = { $path }: its vertices leave the range of 32-bit floats (about 3.4e38) when transformed. Scale it down.
 error-scene-camera-out-of-range = { $path }: its matrices leave the range of 32-bit floats (about 3.4e38). Move it nearer, or make near, far, height and angle less extreme.
@@ -141,6 +142,24 @@ preset-trefoil = The knot passes before and behind itself three times. No order 
 preset-spheres-name = Spheres through the sides
 preset-spheres = Two spheres reach out of the view. Some triangles are dropped whole, some are cut, and the cuts leave no gap.
 
+preset-point-in-a-region-name = Beyond one border
+preset-point-in-a-region = One comparison says yes: the point lies in the region to the right of the window.
+
+preset-point-inside-name = Inside
+preset-point-inside = No comparison says yes: the code is 0000.
+
+preset-point-beyond-two-name = Beyond two borders
+preset-point-beyond-two = Two bits are 1 in the corner regions. More than two are impossible.
+
+preset-point-on-a-border-name = On a border
+preset-point-on-a-border = The window is closed: beyond means more than ymax, and equal is not more.
+
+preset-point-on-a-corner-name = On a corner
+preset-point-on-a-corner = The point lies on two borders at once and is visible.
+
+preset-point-one-step-outside-name = One step outside
+preset-point-one-step-outside = The next f32 after xmax = 9. On the screen it is on the border; a comparison needs no tolerance to know better.
+
 preset-line-three-cuts-name = Three cuts, corner to corner
 preset-line-three-cuts = Both ends lie in corner regions. Three borders cut before the line is accepted.
 
@@ -188,6 +207,27 @@ preset-order-one-cut = Every entry lies before P1, so t0 stays 0 and P1 keeps it
 
 preset-order-inside-name = Both ends inside
 preset-order-inside = Every entry lies before P1 and every exit after P2. Nothing is divided.
+
+preset-convex-pentagon-name = Across a pentagon
+preset-convex-pentagon = Five edges, five normals. The last entry and the first exit bound the visible part.
+
+preset-convex-rectangle-name = A rectangle
+preset-convex-rectangle = The usual window as four edges: the answer is bit for bit that of the other algorithms, at the price of four divisions.
+
+preset-convex-clockwise-name = Clockwise corners
+preset-convex-clockwise = The same pentagon, its corners given the other way round. The inside stays the inside.
+
+preset-convex-just-missed-name = Just missed
+preset-convex-just-missed = The line leaves one edge before it enters another: tE is after tL.
+
+preset-convex-along-an-edge-name = Along an edge
+preset-convex-along-an-edge = D·n is 0: the line runs on the edge itself. The window is closed, so that is inside.
+
+preset-convex-through-a-corner-name = Touches a corner
+preset-convex-through-a-corner = The line touches the window in one corner: tE = tL, and the point is visible.
+
+preset-convex-inside-name = Both ends inside
+preset-convex-inside = Every entry lies before P1 and every exit after P2. It still costs a division an edge.
 
 preset-halve-corner-to-corner-name = From corner to corner
 preset-halve-corner-to-corner = Both ends are outside, so there are two searches. Each halving adds one bit to the answer.
@@ -275,3 +315,18 @@ preset-vertex-minus-one-to-one = The first corner lies on the near plane and the
 
 preset-vertex-rotated-model-name = Rotated model
 preset-vertex-rotated-model = A corner of the cube is scaled, rotated and moved before the camera sees it. The order of the three matters.
+
+preset-two-sides-tie-name = Split: tie rules
+preset-two-sides-tie = Left the top-left rule, right inclusive edges. Inclusive draws the shared diagonal twice, and a row and a column more.
+
+preset-two-sides-depth-bits-name = Split: 16 bits of depth
+preset-two-sides-depth-bits = The same two triangles with 32-bit floats and with 16-bit codes. B is nearer everywhere, yet with 16 bits A shows in stripes.
+
+preset-two-sides-corner-name = Split: two algorithms
+preset-two-sides-corner = Beside a corner both reject. Cohen-Sutherland divides once to find out; Liang-Barsky compares fractions and divides not at all.
+
+preset-two-sides-rounding-name = Split: rounding at a corner
+preset-two-sides-rounding = Exactly, the line misses the corner by less than a millionth and is rejected. In f32 it touches the corner and is kept.
+
+preset-two-sides-depth-range-name = Split: depth ranges
+preset-two-sides-depth-range = One vertex with depths 0 … 1 and −1 … 1. Clip space and NDC differ in z alone; on the screen both have the same depth.

@@ -12,7 +12,7 @@
 //! | `too-long` | has more than [`MOST_BYTES`] |
 //! | `too-deep` | nests more than 127 lists or objects |
 //! | `not-finite` | holds NaN, an infinity or a number that rounds to an infinite binary32 |
-//! | `missing-field`, `bad-field` | lacks a field; has one of the wrong type or length |
+//! | `missing-field`, `bad-field` | lacks a field; has one of the wrong type or length, such as a polygon of two corners |
 //! | `bad-window` | has a window whose minimum is above its maximum |
 //! | `bad-size` | asks for a side outside 1..=16384 or for more than 2^28 pixels |
 //! | `unknown-op`, `unknown-algorithm`, `unknown-arithmetic`, ... | has a name that nobody knows |
@@ -23,6 +23,7 @@
 //! | `overflow` | has no finite answer in the chosen arithmetic |
 
 mod clip_line;
+mod clip_polygon;
 mod clip_triangle;
 mod coverage;
 mod depth;
@@ -53,6 +54,7 @@ use refusal::ErrorObject;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Op {
     ClipLine,
+    ClipPolygon,
     ClipTriangle,
     Coverage,
     Depth,
@@ -61,15 +63,20 @@ enum Op {
 }
 
 impl Op {
-    const ALL: [Self; 6] =
-        [Self::ClipLine, Self::ClipTriangle, Self::Coverage, Self::Depth, Self::Interpolate, Self::Render];
-
-    /// Operations of the interface that come in a later version.
-    const LATER: [&'static str; 1] = ["clip_polygon"];
+    const ALL: [Self; 7] = [
+        Self::ClipLine,
+        Self::ClipPolygon,
+        Self::ClipTriangle,
+        Self::Coverage,
+        Self::Depth,
+        Self::Interpolate,
+        Self::Render,
+    ];
 
     fn name(self) -> &'static str {
         match self {
             Self::ClipLine => "clip_line",
+            Self::ClipPolygon => "clip_polygon",
             Self::ClipTriangle => "clip_triangle",
             Self::Coverage => "coverage",
             Self::Depth => "depth",
@@ -80,7 +87,7 @@ impl Op {
 
     fn of(request: &Request) -> Result<Self, Refusal> {
         request.required("op")?;
-        let op = request.choice(("op", "unknown-op"), &Self::ALL, Self::name, &Self::LATER)?;
+        let op = request.choice(("op", "unknown-op"), &Self::ALL, Self::name, &[])?;
         Ok(op.unwrap_or(Self::ClipLine))
     }
 }
@@ -126,6 +133,7 @@ pub fn answer(request: &[u8], output: &mut dyn Write) -> io::Result<()> {
 #[serde(untagged)]
 enum Answer {
     ClipLine(clip_line::Answer),
+    ClipPolygon(clip_polygon::Answer),
     ClipTriangle(clip_triangle::Answer),
     Coverage(coverage::Answer),
     Depth(depth::Answer),
@@ -136,6 +144,7 @@ enum Answer {
 fn dispatch(request: &Request) -> Result<Answer, Refusal> {
     match Op::of(request)? {
         Op::ClipLine => clip_line::answer(request).map(Answer::ClipLine),
+        Op::ClipPolygon => clip_polygon::answer(request).map(Answer::ClipPolygon),
         Op::ClipTriangle => clip_triangle::answer(request).map(Answer::ClipTriangle),
         Op::Coverage => coverage::answer(request).map(Answer::Coverage),
         Op::Depth => depth::answer(request).map(Answer::Depth),
@@ -151,13 +160,13 @@ pub(crate) fn lab(request: &Request) -> Result<Scene, Refusal> {
         Op::Coverage => coverage::lab(request),
         Op::Depth => depth::lab(request),
         Op::Render => render::scene(request),
-        op @ (Op::ClipTriangle | Op::Interpolate) => Err(Refusal::no_lab(op.name())),
+        op @ (Op::ClipPolygon | Op::ClipTriangle | Op::Interpolate) => Err(Refusal::no_lab(op.name())),
     }
 }
 
 /// A scene without triangles that opens a lab at its end.
 fn lab_scene(size: [u32; 2], input: impl Into<LabInput>) -> Scene {
-    Scene { lab: Some(Lab { step: None, input: input.into() }), ..Scene::empty(size) }
+    Scene { lab: Some(Lab::new(input)), ..Scene::empty(size) }
 }
 
 fn write_line(answer: &impl Serialize, output: &mut dyn Write) -> io::Result<()> {

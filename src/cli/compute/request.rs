@@ -1,6 +1,7 @@
 //! Reading a request: JSON first, then field by field, so that an error names the bad field.
 
 use rasterscope_core::{
+    clip::line::{Point, Window},
     math::Arithmetic,
     message::Message,
     scene::{JsonError, JsonFault},
@@ -100,6 +101,19 @@ impl Request {
         if u64::from(size[0]) * u64::from(size[1]) > 1 << 28 { Err(bad()) } else { Ok(size) }
     }
 
+    /// A window, whose maxima are not below its minima.
+    pub(crate) fn window(&self) -> Result<Window, Refusal> {
+        Window::new(self.required("window")?.numbers()?).ok_or_else(|| {
+            let message = Message::new("error-empty-window").with("field", text("window"));
+            Refusal::new("bad-window", message)
+        })
+    }
+
+    /// The corners of a polygon: at least three.
+    pub(crate) fn polygon(&self, name: &'static str) -> Result<Vec<Point>, Refusal> {
+        self.required(name)?.polygon()
+    }
+
     /// The corners of a triangle, `N` numbers each.
     pub(crate) fn vertices<const N: usize>(&self) -> Result<[[f32; N]; 3], Refusal> {
         let mut out = [[0.0; N]; 3];
@@ -153,6 +167,16 @@ impl<'a> Field<'a> {
             *number = given.number()?;
         }
         Ok(out)
+    }
+
+    /// The corners of a polygon: at least three.
+    pub(crate) fn polygon(&self) -> Result<Vec<Point>, Refusal> {
+        let corners = self.items()?.map(|corner| corner.numbers()).collect::<Result<Vec<Point>, _>>()?;
+        if corners.len() >= 3 {
+            return Ok(corners);
+        }
+        let message = Message::new("error-too-few-corners").with("field", text(&self.path));
+        Err(Refusal::new("bad-field", message.with("count", corners.len())))
     }
 
     /// A coordinate: rounded to binary32, finite.

@@ -31,6 +31,7 @@ use std::{
 
 use crate::{
     Failure, files,
+    progress::Progress,
     words::{self, WORDS, say},
 };
 use page::escape;
@@ -72,7 +73,8 @@ fn in_words(text: &str) -> String {
 }
 
 /// The whole page.
-fn page_of(scene: &Scene, title: String, mut progress: Option<&mut dyn Write>) -> String {
+fn page_of(scene: &Scene, title: String, progress: Option<&mut dyn Write>) -> String {
+    let mut progress = Progress(progress);
     let mut pipeline = Pipeline::new(Algorithm::Scanline);
     let outputs = pipeline.update(scene, &Skips::ALL);
     let subject = Subject { scene, outputs, theme: ThemeName::Light.theme() };
@@ -84,25 +86,16 @@ fn page_of(scene: &Scene, title: String, mut progress: Option<&mut dyn Write>) -
         body += &steps;
     }
     for (number, stage) in (1..).zip(Stage::ALL) {
-        say_progress(&mut progress, stage, number);
+        let message = Message::new("tour-progress").with("number", number).with("all", Stage::ALL.len());
+        progress.say(&message.with("stage", Value::Word(stage.word())));
         body += &stages::section(&subject, stage, number);
     }
     if !scene.draws.is_empty() {
         body += &steps;
     }
     body += &format!("<footer><p>{}</p></footer>\n", escape(&WORDS.word("tour-footer")));
-    if let Some(terminal) = progress {
-        // The terminal is only told what goes on; if it cannot be, the page is made all the same.
-        let _ = write!(terminal, "\r\x1b[K");
-    }
+    progress.clear();
     page::page(&title, subject.theme, &body)
-}
-
-fn say_progress(progress: &mut Option<&mut dyn Write>, stage: Stage, number: usize) {
-    let Some(terminal) = progress else { return };
-    let message = Message::new("tour-progress").with("number", number).with("all", Stage::ALL.len());
-    let text = say(&message.with("stage", Value::Word(stage.word())));
-    let _ = write!(terminal, "\r\x1b[K{text}").and_then(|()| terminal.flush());
 }
 
 fn header(subject: &Subject<'_>, title: &str) -> String {

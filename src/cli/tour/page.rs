@@ -2,6 +2,7 @@
 
 use base64::{Engine, engine::general_purpose::STANDARD};
 use rasterscope_core::explain::{Role, Table};
+pub(super) use rasterscope_figure::svg::escape;
 use rasterscope_figure::{
     tables::{self, Run, TextTable},
     theme::{Color, Theme},
@@ -9,22 +10,6 @@ use rasterscope_figure::{
 use std::fmt::Write;
 
 use crate::words::WORDS;
-
-/// Text as it stands in HTML, also inside quotes; without control characters, which HTML has none of.
-pub(super) fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c if c.is_control() => out.push(char::REPLACEMENT_CHARACTER),
-            c => out.push(c),
-        }
-    }
-    out
-}
 
 /// A picture inside the page.
 pub(super) fn embed(kind: &str, bytes: &[u8], size: [f32; 2], words: &str) -> String {

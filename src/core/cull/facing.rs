@@ -3,8 +3,8 @@
 //! *Source:* Olano and Greer, Triangle Scan Conversion using 2D Homogeneous Coordinates, 1997, section
 //! 5; WebGPU, section 23.2.5.4 (front face, cull mode).
 
-use super::{CullMode, FrontFace};
-use crate::math::{Sign, Tally, orient3d_homogeneous};
+use super::{CullMode, FrontFace, xyw_determinant};
+use crate::math::{Sign, Tally};
 use serde::Serialize;
 
 /// How a triangle stands to the eye.
@@ -26,8 +26,8 @@ pub enum Facing {
 /// vertices would lie. A mirrored transform flips it, as in WebGPU. A few ns; `tally` counts exact tails.
 #[inline]
 pub fn facing(clip: [[f32; 4]; 3], front: FrontFace, tally: &mut Tally) -> Facing {
-    let [a, b, c] = clip.map(|[x, y, _, w]| [x, y, w]);
-    match (orient3d_homogeneous(a, b, c, tally), front) {
+    let rows = clip.map(|[x, y, _, w]| [x, y, w]);
+    match (xyw_determinant::sign(rows, tally), front) {
         (Sign::Zero, _) => Facing::Degenerate,
         (Sign::Positive, FrontFace::Ccw) | (Sign::Negative, FrontFace::Cw) => Facing::Front,
         _ => Facing::Back,

@@ -1,8 +1,12 @@
 //! The lab that clips a line against any convex window.
 
-use super::Family;
+use super::{
+    Family,
+    clip_line::{ARITHMETICS, check_arithmetic},
+};
 use crate::{
     clip::line::{ConvexWindow, Flaw, Point, cyrus_beck},
+    compare::Setting,
     math::Arithmetic,
     message::Message,
     replay::{Budget, Playback},
@@ -53,12 +57,18 @@ impl Family for ClipConvex {
         let [x1, y1, x2, y2] = self.segment;
         Ok(Box::new(cyrus_beck::play([[x1, y1], [x2, y2]], window, self.arithmetic, budget)))
     }
-}
 
-/// Fixed point is for scan conversion.
-pub(super) fn check_arithmetic(arithmetic: Arithmetic) -> Checked {
-    let known = [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64];
-    let problem =
-        Problem::UnknownName { name: arithmetic.name().into(), known: known.map(Arithmetic::name).to_vec() };
-    refuse_if(!known.contains(&arithmetic), "arithmetic", problem)
+    fn settings(&self, _: &Scene) -> Vec<Setting> {
+        ARITHMETICS.map(Setting::Arithmetic).to_vec()
+    }
+
+    fn setting(&self, like: Setting) -> Option<Setting> {
+        matches!(like, Setting::Arithmetic(_)).then_some(Setting::Arithmetic(self.arithmetic))
+    }
+
+    fn set(&mut self, setting: Setting) {
+        if let Setting::Arithmetic(arithmetic) = setting {
+            self.arithmetic = arithmetic;
+        }
+    }
 }

@@ -1,17 +1,21 @@
 //! The labs that clip a line against a rectangular window.
 
-use super::{Family, clip_convex::check_arithmetic};
+use super::Family;
 use crate::{
     clip::line::{
         Algorithm, Mistakes, Window, cohen_sutherland, cyrus_beck, liang_barsky, midpoint,
         nicholl_lee_nicholl,
     },
+    compare::Setting,
     math::Arithmetic,
     message::Message,
     replay::{Budget, Playback},
     scene::{Checked, Problem, Scene, each_finite, refuse_if},
 };
 use serde::{Deserialize, Serialize};
+
+/// Fixed point is for scan conversion.
+pub(super) const ARITHMETICS: [Arithmetic; 3] = [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64];
 
 /// A line against a window.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -30,6 +34,22 @@ pub struct ClipLine {
     /// What is got wrong on purpose; Cohen-Sutherland only.
     #[serde(default, skip_serializing_if = "Mistakes::is_empty")]
     pub mistakes: Mistakes,
+}
+
+/// A window has its minima first.
+pub(super) fn check_window(window: &[f32; 4]) -> Checked {
+    each_finite(window).map_err(|e| e.within("window"))?;
+    let [xmin, ymin, xmax, ymax] = *window;
+    refuse_if(xmin > xmax || ymin > ymax, "window", Problem::WindowReversed)
+}
+
+/// Fixed point is for scan conversion.
+pub(super) fn check_arithmetic(arithmetic: Arithmetic) -> Checked {
+    let problem = Problem::UnknownName {
+        name: arithmetic.name().into(),
+        known: ARITHMETICS.map(Arithmetic::name).to_vec(),
+    };
+    refuse_if(!ARITHMETICS.contains(&arithmetic), "arithmetic", problem)
 }
 
 impl Family for ClipLine {
@@ -57,9 +77,7 @@ impl Family for ClipLine {
     }
 
     fn check(&self, _: &Scene) -> Checked {
-        each_finite(&self.window).map_err(|e| e.within("window"))?;
-        let [xmin, ymin, xmax, ymax] = self.window;
-        refuse_if(xmin > xmax || ymin > ymax, "window", Problem::WindowReversed)?;
+        check_window(&self.window)?;
         each_finite(&self.segment).map_err(|e| e.within("segment"))?;
         let known = vec!["name", "algorithm", "step", "window", "segment", "arithmetic"];
         let elsewhere = self.algorithm != Algorithm::CohenSutherland && !self.mistakes.is_empty();
@@ -83,5 +101,19 @@ impl Family for ClipLine {
                 Box::new(nicholl_lee_nicholl::play(segment, window, arithmetic, budget))
             }
         })
+    }
+
+    fn settings(&self, _: &Scene) -> Vec<Setting> {
+        ARITHMETICS.map(Setting::Arithmetic).to_vec()
+    }
+
+    fn setting(&self, like: Setting) -> Option<Setting> {
+        matches!(like, Setting::Arithmetic(_)).then_some(Setting::Arithmetic(self.arithmetic))
+    }
+
+    fn set(&mut self, setting: Setting) {
+        if let Setting::Arithmetic(arithmetic) = setting {
+            self.arithmetic = arithmetic;
+        }
     }
 }

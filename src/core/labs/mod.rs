@@ -5,20 +5,23 @@
 //! makes sense there, and how a run starts. Adding a lab is such a file (or a name more in one),
 //! a line in [`ALL`], and for a new family a line in [`LabInput`].
 
+mod back_face;
 mod clip_convex;
 mod clip_line;
+mod clip_point;
 mod pipeline;
 mod scanline;
 mod transform;
 mod z_buffer;
 
 pub use self::{
-    clip_convex::ClipConvex, clip_line::ClipLine, pipeline::Pipeline, scanline::Scanline,
-    transform::Transform, z_buffer::ZBuffer,
+    back_face::BackFace, clip_convex::ClipConvex, clip_line::ClipLine, clip_point::ClipPoint,
+    pipeline::Pipeline, scanline::Scanline, transform::Transform, z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
 
 use crate::{
+    compare::Setting,
     message::{Message, Value},
     raster,
     replay::{Budget, Playback},
@@ -73,6 +76,8 @@ impl fmt::Debug for LabInfo {
 pub const ALL: &[LabInfo] = &[
     LabInfo::new::<Pipeline>("pipeline", Stage::Image),
     LabInfo::new::<Transform>("transform", Stage::ClipSpace),
+    LabInfo::new::<BackFace>("back-face", Stage::Cull),
+    LabInfo::new::<ClipPoint>("point-clipping", Stage::Clip),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
     LabInfo::new::<ClipConvex>("cyrus-beck", Stage::Clip),
@@ -93,7 +98,7 @@ pub fn default_input(name: &str) -> Option<LabInput> {
 }
 
 /// The inputs that a family of labs shares. What it serializes to stands in scene files.
-pub(crate) trait Family: Serialize + DeserializeOwned + Into<LabInput> {
+pub(crate) trait Family: Clone + Serialize + DeserializeOwned + Into<LabInput> {
     /// What a lab of the family starts with.
     fn first() -> Self;
 
@@ -114,6 +119,20 @@ pub(crate) trait Family: Serialize + DeserializeOwned + Into<LabInput> {
 
     /// Starts the run, at step 0. The message says what about the input cannot be run.
     fn play(&self, scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message>;
+
+    /// Every value of every setting that the run reads, its own included: what it can be compared
+    /// with. The algorithms of the family go without saying.
+    fn settings(&self, _scene: &Scene) -> Vec<Setting> {
+        Vec::new()
+    }
+
+    /// The value here of a setting that is an input of this family; `None` if it is none.
+    fn setting(&self, _like: Setting) -> Option<Setting> {
+        None
+    }
+
+    /// Takes the value of a setting that is an input of this family; leaves others alone.
+    fn set(&mut self, _setting: Setting) {}
 }
 
 macro_rules! families {
@@ -146,6 +165,29 @@ macro_rules! families {
                 match self { $(Self::$family(input) => input.check(scene),)* }
             }
 
+            /// Every value of every setting that the run reads, its own included.
+            pub(crate) fn settings(&self, scene: &Scene) -> Vec<Setting> {
+                match self { $(Self::$family(input) => input.settings(scene),)* }
+            }
+
+            /// The value here of a setting that is an input; `None` if it is none.
+            pub(crate) fn setting(&self, like: Setting) -> Option<Setting> {
+                match (self, like) {
+                    (_, Setting::Algorithm(_)) => Some(Setting::Algorithm(self.name())),
+                    $((Self::$family(input), like) => input.setting(like),)*
+                }
+            }
+
+            /// Takes the value of a setting that is an input; leaves others alone.
+            pub(crate) fn set(&mut self, setting: Setting) {
+                match (self, setting) {
+                    $((Self::$family(input), Setting::Algorithm(name)) => {
+                        *input = input.clone().named(name);
+                    })*
+                    $((Self::$family(input), setting) => input.set(setting),)*
+                }
+            }
+
             fn play(&self, scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
                 match self { $(Self::$family(input) => input.play(scene, budget),)* }
             }
@@ -154,6 +196,8 @@ macro_rules! families {
 }
 
 families! {
+    /// A point against a window.
+    ClipPoint
     /// A line against a window.
     ClipLine
     /// A line against a convex polygon.
@@ -164,6 +208,8 @@ families! {
     ZBuffer
     /// One vertex through all the spaces.
     Transform
+    /// One triangle: does the eye see its back?
+    BackFace
     /// The whole scene, stage by stage.
     Pipeline
 }
@@ -171,6 +217,13 @@ families! {
 impl LabInput {
     /// The whole scene.
     pub const PIPELINE: Self = Self::Pipeline(Pipeline {});
+
+    /// The names of the labs whose algorithms take these very inputs, its own included.
+    pub fn algorithms(&self) -> Vec<&'static str> {
+        let family = std::mem::discriminant(self);
+        let mine = ALL.iter().filter(|lab| std::mem::discriminant(&lab.first_input()) == family);
+        mine.map(|lab| lab.name).collect()
+    }
 }
 
 /// Starts the run of the scene's lab, at step 0.

@@ -1,7 +1,11 @@
 //! The whole scene, stage by stage; stepped, it is the depth test of all its triangles.
 
-use super::{Family, z_buffer::play_depth_of};
+use super::{
+    Family,
+    z_buffer::{play_depth_of, settings_of_depth},
+};
 use crate::{
+    compare::Setting,
     message::Message,
     replay::{Budget, Playback},
     scene::{Checked, Scene},
@@ -44,5 +48,9 @@ impl Family for Pipeline {
             return Err(Message::new("error-too-large-to-step").with("most", 256));
         }
         play_depth_of(scene, budget)
+    }
+
+    fn settings(&self, scene: &Scene) -> Vec<Setting> {
+        settings_of_depth(scene)
     }
 }

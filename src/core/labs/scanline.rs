@@ -2,6 +2,7 @@
 
 use super::{Family, nothing_to_step, scan_settings};
 use crate::{
+    compare::Setting,
     message::Message,
     pipeline::screen_triangles,
     raster::scanline,
@@ -49,5 +50,10 @@ impl Family for Scanline {
             || screen_triangles(scene).get(self.triangle).map(|t| t.vertices.map(|[x, y, _]| [x, y]));
         let vertices = self.vertices.or_else(of_scene).ok_or_else(|| nothing_to_step(self))?;
         Ok(Box::new(scanline::play(vertices, scan_settings(scene), budget)))
+    }
+
+    fn settings(&self, scene: &Scene) -> Vec<Setting> {
+        let facing = if self.vertices.is_some() { Vec::new() } else { Setting::of_facing(scene) };
+        [Setting::of_scan(), facing].concat()
     }
 }

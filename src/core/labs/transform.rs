@@ -2,9 +2,11 @@
 
 use super::{Family, nothing_to_step};
 use crate::{
+    compare::Setting,
     message::Message,
+    raster::YAxis,
     replay::{Budget, Playback},
-    scene::{Checked, FieldError, Problem, Scene, refuse_if},
+    scene::{Checked, Problem, Scene, refuse_if},
     transform::chain::{self, Chain},
 };
 use serde::{Deserialize, Serialize};
@@ -35,19 +37,9 @@ impl Family for Transform {
     }
 
     fn check(&self, scene: &Scene) -> Checked {
-        #[expect(clippy::cast_precision_loss, reason = "a limit to be shown")]
-        let range = |count: usize| match count {
-            0 => Problem::NoneThere,
-            _ => Problem::Range { min: 0.0, max: (count - 1) as f64 },
-        };
-        let Some(chosen) = scene.draws.get(self.draw) else {
-            return Err(FieldError::at("draw", range(scene.draws.len())));
-        };
-        let vertices = chosen.geometry.mesh().map(|mesh| mesh.positions.len());
-        match vertices {
-            Some(count) => refuse_if(self.vertex >= count, "vertex", range(count)),
-            None => Ok(()),
-        }
+        check_index("draw", self.draw, scene.draws.len())?;
+        let mesh = scene.draws[self.draw].geometry.mesh();
+        mesh.map_or(Ok(()), |mesh| check_index("vertex", self.vertex, mesh.positions.len()))
     }
 
     fn play(&self, scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
@@ -57,4 +49,18 @@ impl Family for Transform {
         let position = *mesh.positions.get(self.vertex).ok_or_else(nothing)?;
         Ok(Box::new(chain::play(vec![position], Chain::of(scene, draw), budget)))
     }
+
+    fn settings(&self, _: &Scene) -> Vec<Setting> {
+        Setting::of_transform().into_iter().chain(YAxis::ALL.map(Setting::YAxis)).collect()
+    }
+}
+
+/// Refuses an index that is not below a count.
+#[expect(clippy::cast_precision_loss, reason = "a limit to be shown")]
+pub(super) fn check_index(field: &str, index: usize, count: usize) -> Checked {
+    let problem = match count {
+        0 => Problem::NoneThere,
+        _ => Problem::Range { min: 0.0, max: (count - 1) as f64 },
+    };
+    refuse_if(index >= count, field, problem)
 }

@@ -2,7 +2,8 @@
 
 use super::{Family, scan_settings};
 use crate::{
-    depth::{DepthState, z_buffer},
+    compare::Setting,
+    depth::{DepthFormat, DepthState, z_buffer},
     message::Message,
     pipeline::{screen_names, screen_triangles},
     raster,
@@ -49,6 +50,15 @@ impl Family for ZBuffer {
             None => play_depth_of(scene, budget),
         }
     }
+
+    fn settings(&self, scene: &Scene) -> Vec<Setting> {
+        match &self.triangles {
+            Some(_) => {
+                Setting::of_scan().into_iter().chain(DepthFormat::ALL.map(Setting::DepthFormat)).collect()
+            }
+            None => settings_of_depth(scene),
+        }
+    }
 }
 
 /// The depth test of all of the scene's triangles, which must agree on its state.
@@ -65,6 +75,13 @@ pub(super) fn play_depth_of(scene: &Scene, budget: Budget) -> Result<Box<dyn Pla
         .collect();
     let triangles = triangles.iter().map(|triangle| triangle.vertices).collect();
     Ok(Box::new(z_buffer::play(triangles, names, depth_settings(scene, state), budget)))
+}
+
+/// What the depth test of all of the scene's triangles reads.
+pub(super) fn settings_of_depth(scene: &Scene) -> Vec<Setting> {
+    let parts =
+        [Setting::of_scan(), Setting::of_depth(scene), Setting::of_transform(), Setting::of_facing(scene)];
+    parts.concat()
 }
 
 /// The scene's conventions of the depth test.

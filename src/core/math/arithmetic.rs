@@ -40,6 +40,17 @@ impl Arithmetic {
         }
     }
 
+    /// Message id of its name.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Exact => "word-arithmetic-exact",
+            Self::F32 => "word-arithmetic-f32",
+            Self::F64 => "word-arithmetic-f64",
+            Self::Fixed8 => "word-arithmetic-fixed-8",
+        }
+    }
+
     /// The arithmetic called `name`, or `None`; the inverse of [`name`](Self::name).
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {

@@ -45,6 +45,16 @@ impl FillRule {
         }
     }
 
+    /// Message id of its name.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::TopLeft => "word-fill-top-left",
+            Self::RightOfPoint => "word-fill-right-of-point",
+            Self::Inclusive => "word-fill-inclusive",
+            Self::Strict => "word-fill-strict",
+        }
+    }
+
     /// The rule called `name`.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|rule| rule.name() == name)
@@ -60,6 +70,27 @@ pub enum YAxis {
     Down,
     /// Row 0 is the lowest.
     Up,
+}
+
+impl YAxis {
+    /// Both, the default first.
+    pub const ALL: [Self; 2] = [Self::Down, Self::Up];
+
+    /// The name in scene files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Down => "down",
+            Self::Up => "up",
+        }
+    }
+
+    /// Message id of its name.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Down => "word-y-down",
+            Self::Up => "word-y-up",
+        }
+    }
 }
 
 /// The algorithms of this stage.

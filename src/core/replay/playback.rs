@@ -2,6 +2,7 @@
 
 use super::Player;
 use crate::{
+    compare::Fact,
     explain::{Explain, Formula, Level, Mark, Marker, Operations, Table, View},
     message::Message,
 };
@@ -27,6 +28,8 @@ pub trait Playback: Send {
     /// Goes to the next execution of a listing line, from the start again behind the last one;
     /// `false` if the run never executes it.
     fn next_at_line(&mut self, line: usize) -> bool;
+    /// The start, and every step that ends an event of `level` or coarser: where [`Self::next`] stops.
+    fn steps_of(&self, level: Level) -> Vec<usize>;
     /// Pseudocode.
     fn listing(&self) -> &'static [&'static str];
     /// The listing line just executed.
@@ -47,6 +50,10 @@ pub trait Playback: Send {
     fn view(&self) -> View;
     /// Marks of the timeline with their steps, in order.
     fn markers(&self) -> Vec<(usize, Marker)>;
+    /// The steps that end an event of `level` or coarser, in order.
+    fn ends(&self, level: Level) -> Vec<usize>;
+    /// The result at the cursor as facts.
+    fn facts(&self) -> Vec<Fact>;
     /// What the run costs up to the cursor, and as a whole. Cost: linear in the run.
     fn operations(&self) -> [Operations; 2];
     /// The event that led to the cursor, for logs.
@@ -95,6 +102,12 @@ impl<S: Explain> Playback for Player<S> {
             step = first;
         }
         step.map(|step| self.seek_to(step)).is_some()
+    }
+
+    fn steps_of(&self, level: Level) -> Vec<usize> {
+        let mut out = vec![0];
+        self.for_each(|step, event| out.extend((S::level(event) <= level).then_some(step)));
+        out
     }
 
     fn listing(&self) -> &'static [&'static str] {
@@ -151,6 +164,18 @@ impl<S: Explain> Playback for Player<S> {
     fn markers(&self) -> Vec<(usize, Marker)> {
         let mut out = Vec::new();
         self.for_each(|step, event| out.extend(S::marker(event).map(|marker| (step, marker))));
+        out
+    }
+
+    fn ends(&self, level: Level) -> Vec<usize> {
+        let mut out = Vec::new();
+        self.for_each(|step, event| out.extend((S::level(event) <= level).then_some(step)));
+        out
+    }
+
+    fn facts(&self) -> Vec<Fact> {
+        let mut out = Vec::new();
+        self.state.facts(&mut out);
         out
     }
 

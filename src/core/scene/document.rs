@@ -2,6 +2,7 @@
 
 use crate::{
     blend::BlendState,
+    compare::Setting,
     cull::{CullMode, FrontFace},
     depth::{DepthFormat, DepthState},
     labs::LabInput,
@@ -49,6 +50,31 @@ pub struct Scene {
 impl Scene {
     /// The scene-file version that this program writes, and the newest that it reads.
     pub const VERSION: u32 = 1;
+
+    /// Whether two scenes differ at most in the lab that is open.
+    pub fn same_picture(&self, other: &Self) -> bool {
+        let Self {
+            name,
+            note,
+            size,
+            clear,
+            camera,
+            depth_range,
+            depth_format,
+            reversed,
+            fill_rule,
+            samples,
+            y_axis,
+            draws,
+            lab: _, // every other field stands here: a new one is not forgotten
+        } = self;
+        (name, note, size, clear, camera)
+            == (&other.name, &other.note, &other.size, &other.clear, &other.camera)
+            && (depth_range, depth_format, reversed)
+                == (&other.depth_range, &other.depth_format, &other.reversed)
+            && (fill_rule, samples, y_axis) == (&other.fill_rule, &other.samples, &other.y_axis)
+            && *draws == other.draws
+    }
 
     /// A scene that draws nothing, with the defaults of the scene file.
     pub fn empty(size: [u32; 2]) -> Self {
@@ -134,7 +160,7 @@ impl Draw {
 }
 
 /// Where a draw's triangles come from.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum Geometry {
     /// They stand in the scene file.
     Mesh(Arc<Mesh>),
@@ -147,6 +173,24 @@ pub enum Geometry {
         /// `None` until the scene is resolved; kept out of the scene file.
         mesh: Option<Arc<Mesh>>,
     },
+}
+
+/// Equal triangles behind one [`Arc`] are not looked at: scenes are compared in every frame.
+impl PartialEq for Geometry {
+    fn eq(&self, other: &Self) -> bool {
+        let same = |a: &Arc<Mesh>, b: &Arc<Mesh>| Arc::ptr_eq(a, b) || a == b;
+        match (self, other) {
+            (Self::Mesh(a), Self::Mesh(b)) => same(a, b),
+            (Self::Model { file, color, mesh }, Self::Model { file: f, color: c, mesh: m }) => {
+                let loaded = match (mesh, m) {
+                    (Some(a), Some(b)) => same(a, b),
+                    (a, b) => a.is_none() && b.is_none(),
+                };
+                file == f && color == c && loaded
+            }
+            _ => false,
+        }
+    }
 }
 
 impl Geometry {
@@ -267,4 +311,13 @@ pub struct Lab {
     pub step: Option<usize>,
     /// Which lab, with its inputs.
     pub input: LabInput,
+    /// The setting in which side B of a split view differs; `None` if there is one side only.
+    pub compare: Option<Setting>,
+}
+
+impl Lab {
+    /// A lab that opens at its end, with one side.
+    pub fn new(input: impl Into<LabInput>) -> Self {
+        Self { step: None, input: input.into(), compare: None }
+    }
 }

@@ -153,6 +153,8 @@ pub enum Problem {
     WindowReversed,
     /// The polygon is no convex window.
     Polygon(Flaw),
+    /// A comparison without a setting in which the sides differ.
+    NoSetting,
     /// Anything else, in the words of a library.
     Other(String),
 }
@@ -257,6 +259,7 @@ impl Problem {
             Self::NoFileName => Message::new("error-scene-no-file-name"),
             Self::WindowReversed => Message::new("error-scene-window-reversed"),
             Self::Polygon(flaw) => Message::new(flaw.problem()),
+            Self::NoSetting => Message::new("error-scene-no-setting"),
             Self::Other(what) => Message::new("error-scene-other").with("what", Value::text(what)),
         }
     }

@@ -7,7 +7,10 @@ use super::{
     error::{Problem, SceneError},
     path::{FieldError, Step},
 };
-use crate::transform::{Camera, Projection};
+use crate::{
+    compare::Setting,
+    transform::{Camera, Projection},
+};
 
 /// Largest width and height of an image.
 pub const MAX_SIDE: u32 = 16384;
@@ -44,9 +47,23 @@ impl Scene {
             draw(item).map_err(|e| e.within(i).within("draws"))?;
         }
         match &self.lab {
-            Some(lab) => lab.input.check(self).map_err(|e| e.within("lab")),
+            Some(lab) => {
+                lab.input.check(self).and_then(|()| self.compare(lab.compare)).map_err(|e| e.within("lab"))
+            }
             None => Ok(()),
         }
+    }
+
+    /// Refuses a setting that the open lab does not read, or a value that it cannot have there.
+    fn compare(&self, setting: Option<Setting>) -> Checked {
+        let Some(setting) = setting.filter(|setting| !setting.applies(self)) else { return Ok(()) };
+        let (known, fields) = setting.known(self);
+        let problem = if known.is_empty() {
+            Problem::UnknownField { known: fields }
+        } else {
+            Problem::UnknownName { name: setting.name().into(), known }
+        };
+        Err(FieldError::at(setting.field(), problem).within("compare"))
     }
 }
 

@@ -37,6 +37,14 @@ impl DepthRange {
             Self::MinusOneToOne => "minus-one-to-one",
         }
     }
+
+    /// Message id of its name.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::ZeroToOne => "word-depth-zero-to-one",
+            Self::MinusOneToOne => "word-depth-minus-one-to-one",
+        }
+    }
 }
 
 /// How camera space becomes clip space.

@@ -5,12 +5,14 @@
 
 mod clip_line;
 mod cohen_sutherland;
+mod cyrus_beck;
 mod liang_barsky;
 mod midpoint;
 mod nicholl_lee_nicholl;
 mod objects;
 mod pipeline;
 mod placing;
+mod point_clipping;
 mod scanline;
 mod transform;
 mod z_buffer;
@@ -107,8 +109,10 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
     vec![
         Box::new(pipeline::Pipeline),
         Box::new(transform::Transform),
+        Box::new(point_clipping::PointClipping),
         Box::new(cohen_sutherland::LAB),
         Box::new(liang_barsky::LAB),
+        Box::new(cyrus_beck::CyrusBeck),
         Box::new(midpoint::LAB),
         Box::new(nicholl_lee_nicholl::LAB),
         Box::new(scanline::Scanline),

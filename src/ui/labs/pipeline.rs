@@ -38,7 +38,7 @@ impl Lab for Pipeline {
         fill_rule(ui, face, document);
         depth_format(ui, face, document);
         depth_range(ui, face, document);
-        let all = [(YAxis::Down, face.say("ui-y-down")), (YAxis::Up, face.say("ui-y-up"))];
+        let all = YAxis::ALL.map(|axis| (axis, face.say(axis.word())));
         choices::choose(ui, face, "ui-y-axis", &mut document.scene.y_axis, &all);
         facing(ui, face, document);
         choices::snapping(ui, face, view);
@@ -116,13 +116,9 @@ fn facing(ui: &mut Ui, face: &Face<'_>, document: &mut Document) {
     let Some(first) = draws.first() else { return };
     let (mut cull, mut front) = (first.cull, first.front);
     let (old_cull, old_front) = (cull, front);
-    let fronts = [(FrontFace::Ccw, face.say("ui-front-ccw")), (FrontFace::Cw, face.say("ui-front-cw"))];
+    let fronts = FrontFace::ALL.map(|front| (front, face.say(front.word())));
     choices::choose(ui, face, "ui-front", &mut front, &fronts);
-    let culls = [
-        (CullMode::None, face.say("ui-cull-none")),
-        (CullMode::Back, face.say("ui-cull-back")),
-        (CullMode::Front, face.say("ui-cull-front")),
-    ];
+    let culls = CullMode::ALL.map(|cull| (cull, face.say(cull.word())));
     choices::choose(ui, face, "ui-cull", &mut cull, &culls);
     for draw in draws {
         if cull != old_cull {

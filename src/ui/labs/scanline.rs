@@ -96,14 +96,6 @@ pub(super) fn is_small(scene: &Scene) -> bool {
 
 /// Who draws a pixel whose centre lies exactly on an edge.
 pub(super) fn fill_rule(ui: &mut Ui, face: &Face<'_>, document: &mut Document) {
-    let all = FillRule::ALL.map(|rule| {
-        let name = match rule {
-            FillRule::TopLeft => "ui-fill-top-left",
-            FillRule::RightOfPoint => "ui-fill-right-of-point",
-            FillRule::Inclusive => "ui-fill-inclusive",
-            FillRule::Strict => "ui-fill-strict",
-        };
-        (rule, face.say(name))
-    });
+    let all = FillRule::ALL.map(|rule| (rule, face.say(rule.word())));
     choices::choose(ui, face, "ui-fill-rule", &mut document.scene.fill_rule, &all);
 }

@@ -69,9 +69,6 @@ impl Lab for Transform {
 
 /// Which depths in NDC are visible.
 pub(super) fn depth_range(ui: &mut Ui, face: &Face<'_>, document: &mut Document) {
-    let all = [
-        (DepthRange::ZeroToOne, face.say("ui-depth-zero-to-one")),
-        (DepthRange::MinusOneToOne, face.say("ui-depth-minus-one-to-one")),
-    ];
+    let all = DepthRange::ALL.map(|range| (range, face.say(range.word())));
     choices::choose(ui, face, "ui-depth-range", &mut document.scene.depth_range, &all);
 }

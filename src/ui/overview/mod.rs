@@ -17,7 +17,7 @@ use crate::{
 use rasterscope_core::{
     explain::{Mark, View},
     memo::Memo,
-    pipeline::{Pipeline, Skips, pixel_history},
+    pipeline::{Pipeline, Skips, Stats, pixel_history},
     raster::Algorithm,
     scene::Scene,
 };
@@ -27,7 +27,8 @@ use std::{rc::Rc, sync::Arc};
 /// The pipeline of the document, and what is drawn of it.
 #[derive(Debug)]
 pub(crate) struct Overview {
-    pipeline: Pipeline,
+    /// `None` while it is lent.
+    pipeline: Option<Pipeline>,
     /// Moves when the scene or the skips do.
     rev: u64,
     seen: Option<(Scene, Skips)>,
@@ -62,7 +63,7 @@ pub(crate) struct Picture {
 impl Default for Overview {
     fn default() -> Self {
         Self {
-            pipeline: Pipeline::new(Algorithm::Scanline),
+            pipeline: Some(Self::pipeline()),
             rev: 0,
             seen: None,
             image: Arc::default(),
@@ -77,36 +78,59 @@ impl Default for Overview {
 }
 
 impl Overview {
+    /// A pipeline that has seen nothing.
+    pub(crate) fn pipeline() -> Pipeline {
+        Pipeline::new(Algorithm::Scanline)
+    }
+
+    /// Whether everything is up to date with a scene; which lab is open makes no difference.
+    pub(crate) fn is_of(&self, scene: &Scene, skips: Skips) -> bool {
+        self.seen.as_ref().is_some_and(|(old, with)| old.same_picture(scene) && *with == skips)
+    }
+
     /// Brings the pipeline up to date.
     pub(crate) fn update(&mut self, scene: &Scene, skips: Skips) {
-        if self.seen.as_ref().is_some_and(|(old, with)| old == scene && *with == skips) {
-            return;
-        }
+        let mut pipeline = self.lend().unwrap_or_else(Self::pipeline);
+        pipeline.update(scene, &skips);
+        self.give_back(pipeline, scene, skips);
+    }
+
+    /// Lends the pipeline to whoever brings it up to date; `None` if it is lent already. What is shown
+    /// meanwhile stays as it is.
+    pub(crate) fn lend(&mut self) -> Option<Pipeline> {
+        self.pipeline.take()
+    }
+
+    /// Takes the pipeline back, up to date with a scene.
+    pub(crate) fn give_back(&mut self, pipeline: Pipeline, scene: &Scene, skips: Skips) {
         self.rev += 1;
-        let color = &self.pipeline.update(scene, &skips).frame.color;
+        let color = &pipeline.outputs().frame.color;
         // An equal image keeps its texture.
         if *self.image != *color {
             self.image = Arc::new(color.clone());
         }
+        self.pipeline = Some(pipeline);
         self.seen = Some((scene.clone(), skips));
     }
 
     /// What the stages made of the scene.
     #[cfg(test)]
     pub(crate) fn outputs(&self) -> &rasterscope_core::pipeline::Outputs {
-        self.pipeline.outputs()
+        self.pipeline.as_ref().expect("it is not lent").outputs()
     }
 
     /// How often the image was drawn: tests assert on it.
     #[cfg(test)]
     pub(crate) fn image_runs(&self) -> usize {
-        self.pipeline.image_runs()
+        self.pipeline.as_ref().expect("it is not lent").image_runs()
     }
 
     /// The drawing of the overview.
     pub(crate) fn picture(&mut self, view: &mut ViewState) -> Option<Rc<Picture>> {
+        let Some(outputs) = self.pipeline.as_ref().map(Pipeline::outputs) else {
+            return self.picture.last().cloned();
+        };
         let (scene, _) = self.seen.as_ref()?;
-        let outputs = self.pipeline.outputs();
         let orbit = (view.scenery == Scenery::Space)
             .then(|| *view.orbit.get_or_insert_with(|| space::first_orbit(outputs, scene)));
         let key = PictureKey { rev: self.rev, orbit, outlines: view.outlines, pixel: view.pixel };
@@ -123,15 +147,21 @@ impl Overview {
 
     /// The chips of the ribbon.
     pub(crate) fn chips(&mut self, theme: ThemeName, words: &Words) -> Rc<[Chip]> {
-        let outputs = self.pipeline.outputs();
+        let Some(outputs) = self.pipeline.as_ref().map(Pipeline::outputs) else {
+            return self.chips.last().cloned().unwrap_or_default();
+        };
         let chips = self.chips.get((self.rev, theme), |_| chips::chips(outputs, theme, words).into());
         Rc::clone(chips)
     }
 
     /// What came into every stage, what went out, what was dropped.
     pub(crate) fn table(&mut self, words: &Words) -> Rc<TextTable> {
-        let stats = &self.pipeline.outputs().frame.stats;
-        Rc::clone(self.table.get(self.rev, |_| Rc::new(chips::table(stats, words))))
+        let stats = self.pipeline.as_ref().map(|pipeline| &pipeline.outputs().frame.stats);
+        match (stats, self.table.last()) {
+            (None, Some(last)) => Rc::clone(last),
+            (None, None) => Rc::new(chips::table(&Stats::default(), words)),
+            (Some(stats), _) => Rc::clone(self.table.get(self.rev, |_| Rc::new(chips::table(stats, words)))),
+        }
     }
 
     /// The history of a pixel, in words.
@@ -140,7 +170,7 @@ impl Overview {
         if pixel[0] >= scene.size[0] || pixel[1] >= scene.size[1] {
             return None;
         }
-        let outputs = self.pipeline.outputs();
+        let outputs = self.pipeline.as_ref()?.outputs();
         let history = self.history.get((self.rev, pixel), |_| {
             Rc::new(History::new(&pixel_history(scene, outputs, pixel), scene, words))
         });
@@ -153,7 +183,7 @@ impl Overview {
         if pixel[0] >= scene.size[0] || pixel[1] >= scene.size[1] {
             return None;
         }
-        let outputs = self.pipeline.outputs();
+        let outputs = self.pipeline.as_ref()?.outputs();
         let hover = self.hover.get((self.rev, pixel), |_| Rc::new(Hover::new(scene, outputs, pixel, words)));
         Some(Rc::clone(hover))
     }

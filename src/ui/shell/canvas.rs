@@ -26,7 +26,7 @@ use rasterscope_figure::{
 /// Handles nearer than this to the border make the drawing fit anew.
 const BORDER: f32 = 24.0;
 /// Room round a fitted drawing.
-const INSET: f32 = 12.0;
+pub(crate) const INSET: f32 = 12.0;
 
 /// What is to be drawn.
 #[derive(Clone, Copy, Debug)]
@@ -83,6 +83,17 @@ impl Canvas {
     /// The drawing of the last frame.
     pub(crate) fn last_figure(&self) -> Option<&Figure> {
         self.figure.as_ref().map(|(_, figure, _)| figure)
+    }
+
+    /// The size of the drawing of the last frame.
+    pub(crate) fn size(&self) -> Option<Vec2> {
+        self.figure.as_ref().map(|((_, _, size, ..), ..)| *size)
+    }
+
+    /// Where the run's drawing lies, if it is on the canvas.
+    pub(crate) fn placement_of_run(&self) -> Option<Placement> {
+        let of_run = matches!(self.fitted, Some((_, _, Maker::Run)));
+        self.placement.filter(|_| of_run)
     }
 
     /// Whether a handle is being dragged.

@@ -10,7 +10,7 @@ use crate::{
     widgets::{down, follow_focus, heading, row, text_in},
 };
 use egui::{Align2, ComboBox, DragValue, Rect, ScrollArea, Ui, pos2, vec2};
-use rasterscope_core::{explain::Role, math::Arithmetic, message::Value};
+use rasterscope_core::{explain::Role, message::Value};
 use rasterscope_figure::numbers;
 
 /// The presets get at most this part of the height, and scroll by themselves.
@@ -191,14 +191,4 @@ pub(crate) fn number(ui: &mut Ui, face: &Face<'_>, width: f32, name: &str, value
         *value = before;
     }
     *value += 0.0; // no negative zero
-}
-
-/// What an arithmetic is called.
-pub(crate) fn arithmetic(face: &Face<'_>, arithmetic: Arithmetic) -> String {
-    face.say(match arithmetic {
-        Arithmetic::Exact => "ui-arithmetic-exact",
-        Arithmetic::F32 => "ui-arithmetic-f32",
-        Arithmetic::F64 => "ui-arithmetic-f64",
-        Arithmetic::Fixed8 => "ui-arithmetic-fixed-8",
-    })
 }

@@ -27,6 +27,7 @@ pub(crate) fn all() -> Vec<Shortcut> {
         (ctrl(Key::O), Command::AskOpen, "ui-file-open"),
         (ctrl_shift(Key::S), Command::AskSave, "ui-file-save-as"),
         (ctrl(Key::S), Command::Save, "ui-file-save"),
+        (ctrl_shift(Key::E), Command::AskFilm, "ui-file-film"),
         (ctrl(Key::E), Command::AskPicture, "ui-file-picture"),
         (ctrl_shift(Key::C), Command::CopyPicture, "ui-copy-picture"),
         (ctrl(Key::Q), Command::Quit, "ui-file-quit"),

@@ -97,6 +97,7 @@ fn file(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
         item(ui, face, "ui-file-reset", "", frame.modified, Command::Reset);
         ui.separator();
         item(ui, face, "ui-file-picture", "Ctrl+E", true, Command::AskPicture);
+        item(ui, face, "ui-file-film", "Ctrl+Shift+E", true, Command::AskFilm);
         item(ui, face, "ui-copy-picture", "Ctrl+Shift+C", true, Command::CopyPicture);
         item(ui, face, "ui-copy-values", "", true, Command::CopyValues);
         ui.separator();

@@ -115,6 +115,7 @@ fn ask(ui: &mut Ui, face: &Face<'_>, purpose: Purpose, path: &mut String, fresh:
             Purpose::Open => "ui-path-open",
             Purpose::Save => "ui-path-save",
             Purpose::Picture => "ui-path-picture",
+            Purpose::Film => "ui-path-film",
         }),
         Text::Body,
     ));
@@ -132,6 +133,7 @@ fn ask(ui: &mut Ui, face: &Face<'_>, purpose: Purpose, path: &mut String, fresh:
             Purpose::Open => Command::Open(path),
             Purpose::Save => Command::SaveAs(path),
             Purpose::Picture => Command::Picture(path),
+            Purpose::Film => Command::Film(path),
         });
     }
     if ui.button(face.say("ui-choose-file")).clicked() {

@@ -6,6 +6,7 @@ use crate::{
     paint,
     run::Shown,
     shell::keys,
+    task::Busy,
     theme::Text,
     widgets::{Icon, State, down, icon_button_at},
 };
@@ -25,7 +26,13 @@ const MERGE: f32 = 12.0;
 const SPEEDS: [f32; 6] = [0.5, 1.0, 2.0, 5.0, 10.0, 30.0];
 
 /// Shows the timeline of a run; without a run it is there but cannot be used.
-pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: Option<&Shown>, view: &ViewState) {
+pub(crate) fn show(
+    ui: &mut Ui,
+    face: &Face<'_>,
+    shown: Option<&Shown>,
+    view: &ViewState,
+    busy: Option<&Busy>,
+) {
     let rect = ui.max_rect();
     let buttons = transport(ui, face, rect, shown, view.playing());
     let right = Rect::from_min_max(pos2(rect.right() - RIGHT + 20.0, rect.top()), rect.right_bottom());
@@ -33,12 +40,42 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: Option<&Shown>, view: &V
         pos2(buttons + 24.0, rect.top() + 29.0),
         pos2(right.left() - 20.0, rect.top() + 35.0),
     );
-    if let Some(shown) = shown {
+    if let Some(busy) = busy {
+        progress(ui, face, bar, busy);
+    } else if let Some(shown) = shown {
         scrub(ui, face, bar, shown);
     } else {
         ui.painter().rect_filled(bar, 0, face.look.raised);
     }
     settings(ui, face, right, shown, view);
+}
+
+/// How far work beside the window is, where the run is otherwise.
+fn progress(ui: &mut Ui, face: &Face<'_>, bar: Rect, busy: &Busy) {
+    let look = face.look;
+    let stop = face.say("ui-stop");
+    let width = if busy.stoppable { text_width(ui, &stop, look.font(Text::Label)) + 20.0 } else { 0.0 };
+    let bar = bar.with_max_x(bar.right() - if busy.stoppable { width + 12.0 } else { 0.0 });
+    let response = ui.interact(bar.expand(8.0), ui.scope_id().with("progress"), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Part::ProgressIndicator, true, &busy.text));
+    ui.painter().rect_filled(bar, 0, look.raised);
+    ui.painter().rect_filled(bar.with_max_x(bar.left() + bar.width() * busy.part), 0, look.edge);
+    let at = pos2(bar.left(), bar.bottom() + 17.0);
+    ui.painter().text(at, Align2::LEFT_CENTER, &busy.text, look.font(Text::Label), look.text);
+    if busy.stoppable {
+        let height = look.button_height();
+        let at = Rect::from_center_size(
+            pos2(bar.right() + 12.0 + width / 2.0, bar.center().y),
+            vec2(width, height),
+        );
+        if ui.put(at, egui::Button::new(face.rich(stop, Text::Label))).clicked() {
+            face.ask(Command::Stop);
+        }
+    }
+}
+
+fn text_width(ui: &Ui, text: &str, font: egui::FontId) -> f32 {
+    ui.painter().layout_no_wrap(text.to_owned(), font, egui::Color32::PLACEHOLDER).size().x
 }
 
 fn transport(ui: &mut Ui, face: &Face<'_>, rect: Rect, shown: Option<&Shown>, playing: bool) -> f32 {

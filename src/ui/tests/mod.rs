@@ -1,6 +1,7 @@
 //! The window driven without a window: every lab, keys, files, pictures.
 
 mod editing;
+mod export;
 mod files;
 mod keeping;
 mod keys;
@@ -17,13 +18,23 @@ use painter::CpuPainter;
 use std::{collections::BTreeMap, io};
 
 /// Files in memory.
-#[derive(Debug, Default)]
+#[derive(Default)]
 struct Memory {
     files: BTreeMap<String, Vec<u8>>,
     /// The program's own folder, and how often it was written to.
     kept: BTreeMap<String, Vec<u8>>,
     writes: usize,
     full: bool,
+    /// Whether work waits for [`Memory::work`]; else it is done at once.
+    lazy: bool,
+    waiting: Vec<Box<dyn FnOnce() + Send>>,
+}
+
+impl Memory {
+    /// Does the work that waits.
+    fn work(&mut self) {
+        self.waiting.drain(..).for_each(|work| work());
+    }
 }
 
 impl Platform for Memory {
@@ -42,7 +53,7 @@ impl Platform for Memory {
         Ok(())
     }
 
-    fn choose_file(&mut self, _: Purpose) -> bool {
+    fn choose_file(&mut self, _: Purpose, _: &str) -> bool {
         false
     }
 
@@ -61,6 +72,13 @@ impl Platform for Memory {
         self.kept.insert(name.to_owned(), bytes.to_owned());
         self.writes += 1;
         Ok(())
+    }
+
+    fn spawn(&mut self, work: Box<dyn FnOnce() + Send>) {
+        self.waiting.push(work);
+        if !self.lazy {
+            self.work();
+        }
     }
 }
 

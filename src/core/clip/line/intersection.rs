@@ -16,7 +16,12 @@ use crate::math::{Approx, Dyadic, Sign, Tally, orient2d, rounded_ratio};
 ///
 /// *Source:* Skala 2023 (doi 10.15388/23-INFOR508) for clipping by signs; the filter is ours.
 #[inline]
-pub(super) fn intersection(segment: Segment, border: Border, window: &Window, tally: &mut Tally) -> Point {
+pub(in crate::clip) fn intersection(
+    segment: Segment,
+    border: Border,
+    window: &Window,
+    tally: &mut Tally,
+) -> Point {
     let (fixed, free) = (border.axis(), 1 - border.axis());
     let c = window.at(border);
     let [[a1, b1], [a2, b2]] = segment.map(|p| [p[fixed], p[free]]);
@@ -40,20 +45,31 @@ pub(super) fn intersection(segment: Segment, border: Border, window: &Window, ta
     point
 }
 
-/// The outcode of the EXACT intersection with `border`, by signs from the given ends: the rounded
-/// point can fall on a border from outside.
+/// Where on a border the EXACT intersection lies: the sign of its other coordinate minus `value`, from
+/// the given ends. The rounded point can fall on a value that the exact one only comes near to.
 #[inline]
-pub(super) fn code_at(segment: Segment, border: Border, window: &Window, tally: &mut Tally) -> Outcode {
-    let [p, q] = segment;
+pub(in crate::clip) fn side_at(
+    [p, q]: Segment,
+    border: Border,
+    window: &Window,
+    value: f32,
+    tally: &mut Tally,
+) -> Sign {
     let (fixed, c) = (border.axis(), window.at(border));
     let rising = Sign::of(f64::from(q[fixed]) - f64::from(p[fixed]));
-    // The side of a corner of the border decides on which side of the corner the crossing lies.
-    let mut beyond = |value: f32| match fixed {
+    match fixed {
         0 => -(orient2d(p, q, [c, value], tally) * rising),
         _ => orient2d(p, q, [value, c], tally) * rising,
-    };
+    }
+}
+
+/// The outcode of the EXACT intersection with `border`.
+#[inline]
+pub(super) fn code_at(segment: Segment, border: Border, window: &Window, tally: &mut Tally) -> Outcode {
+    // The side of a corner of the border decides on which side of the corner the crossing lies.
+    let mut beyond = |value: f32| side_at(segment, border, window, value, tally);
     let Window { xmin, ymin, xmax, ymax } = *window;
-    match fixed {
+    match border.axis() {
         0 => {
             Outcode::from_bits([beyond(ymax) == Sign::Positive, beyond(ymin) == Sign::Negative, false, false])
         }

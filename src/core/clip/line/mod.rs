@@ -9,20 +9,24 @@
 pub mod cohen_sutherland;
 mod convex;
 pub mod cyrus_beck;
-mod intersection;
+pub(in crate::clip) mod intersection;
 pub mod liang_barsky;
 mod meets;
 pub mod midpoint;
 mod mistake;
 pub mod nicholl_lee_nicholl;
 mod parametric;
-mod subject;
+pub(in crate::clip) mod subject;
 
 pub use convex::{ConvexWindow, Flaw};
 pub use mistake::{Mistake, Mistakes};
 pub use parametric::{Course, Parameter, Visible};
 
-use crate::{explain::Piece, math::Sign, message::Value};
+use crate::{
+    explain::{Piece, View},
+    math::{Arithmetic, Sign},
+    message::Value,
+};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -86,6 +90,12 @@ impl Window {
         (finite && xmin <= xmax && ymin <= ymax).then_some(Self { xmin, ymin, xmax, ymax })
     }
 
+    /// As `[xmin, ymin, xmax, ymax]`.
+    #[inline]
+    pub fn array(&self) -> [f32; 4] {
+        [self.xmin, self.ymin, self.xmax, self.ymax]
+    }
+
     /// The constant coordinate of a border.
     #[inline]
     pub fn at(&self, border: Border) -> f32 {
@@ -111,7 +121,7 @@ impl Window {
 }
 
 /// A border of the window, in the order in which an outcode is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Border {
     /// `y = ymax`.
@@ -135,6 +145,12 @@ impl Border {
             Self::Right | Self::Left => 0,
             Self::Top | Self::Bottom => 1,
         }
+    }
+
+    /// Whether inside is where the coordinate is smaller.
+    #[inline]
+    pub fn is_upper(self) -> bool {
+        matches!(self, Self::Top | Self::Right)
     }
 
     /// The name of its constant.
@@ -265,8 +281,28 @@ impl Outcode {
     }
 }
 
+/// What the labs of this stage show: the points of the input, the window, and some room around both.
+pub(in crate::clip) fn view(points: impl IntoIterator<Item = Point>, window: &Window) -> View {
+    subject::view(window.corners().into_iter().chain(points))
+}
+
+/// The numbers of how far along from a1 to a2 the border c lies, `= (c − a1) / (a2 − a1) = t`, and t.
+pub(in crate::clip) fn share(c: f32, [a1, a2]: [f32; 2], arithmetic: Arithmetic) -> (Vec<Piece>, Value) {
+    let t = if arithmetic == Arithmetic::F32 {
+        Value::F32((c - a1) / (a2 - a1))
+    } else {
+        let [c, a1, a2] = [c, a1, a2].map(f64::from);
+        Value::F64((c - a1) / (a2 - a1))
+    };
+    let [c, a1, a2] = [c, a1, a2].map(|x| Piece::Number(x.into()));
+    let text = Piece::Text;
+    let (open, minus, over) = (text("= ("), text(" − "), text(") / ("));
+    let numbers = vec![open, c, minus.clone(), a1.clone(), over, a2, minus, a1, text(") = ")];
+    (numbers.into_iter().chain([Piece::Result(t.clone())]).collect(), t)
+}
+
 /// The numbers of a coordinate at t: `= b1 + t (b2 − b1) = result`.
-fn along(b1: Piece, b2: Piece, t: Value, result: Piece) -> Vec<Piece> {
+pub(in crate::clip) fn along(b1: Piece, b2: Piece, t: Value, result: Piece) -> Vec<Piece> {
     let text = Piece::Text;
     let (plus, open, minus, equals) = (text(" + "), text(" ("), text(" − "), text(") = "));
     vec![text("= "), b1.clone(), plus, Piece::Number(t), open, b2, minus, b1, equals, result]

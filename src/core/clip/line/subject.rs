@@ -2,6 +2,7 @@
 
 use super::{Border, End, Outcode, Point, Segment, Window};
 use crate::{
+    compare::Fact,
     explain::{Formula, Grid, Label, Mark, Piece, Role, Row, Table, View},
     math::{Arithmetic, ulps_between},
     message::{Message, Value},
@@ -107,6 +108,15 @@ impl Subject {
         }
     }
 
+    /// The answer, and where the ends are if something is visible.
+    pub(super) fn facts(&self, out: &mut Vec<Fact>) {
+        let Some(accepted) = self.accepted else { return };
+        out.push(Fact::answer(if accepted { "word-accepted" } else { "word-rejected" }));
+        if accepted {
+            out.extend(End::ALL.map(|end| Fact::point(end.name(), self.ends[end as usize])));
+        }
+    }
+
     /// The result beside what is `right`, coordinate by coordinate.
     pub(super) fn comparison(&self, right: Option<Segment>) -> Table {
         let mut rows = Vec::new();
@@ -130,13 +140,13 @@ impl Subject {
 }
 
 /// The window's outline.
-pub(super) fn draw_window(corners: &[Point], out: &mut Vec<Mark>) {
+pub(in crate::clip) fn draw_window(corners: &[Point], out: &mut Vec<Mark>) {
     let points = corners.to_vec();
     out.push(Mark::Polygon { points, role: Role::Neutral, object: None, label: None });
 }
 
 /// The lines of the four borders; one of them is what the step is about, with a few words.
-pub(super) fn draw_borders(
+pub(in crate::clip) fn draw_borders(
     window: &Window,
     active: Option<Border>,
     note: Option<Message>,
@@ -157,7 +167,7 @@ pub(super) fn draw_borders(
 
 /// The code of each of the nine regions, at its upper left corner; those that hold one of the
 /// named points stand out.
-pub(super) fn draw_region_codes(
+pub(in crate::clip) fn draw_region_codes(
     view: View,
     window: &Window,
     points: &[(&'static str, Option<Outcode>)],
@@ -202,12 +212,12 @@ pub(super) fn view(points: impl IntoIterator<Item = Point>) -> View {
 }
 
 /// The bits of a code as a value to be shown.
-pub(super) fn bits(code: Outcode) -> Value {
+pub(in crate::clip) fn bits(code: Outcode) -> Value {
     Value::Bits { bits: code.0.into(), width: 4 }
 }
 
 /// The borders that a code names, one or two of them, as arguments of a message.
-pub(super) fn with_borders(message: Message, code: Outcode) -> Message {
+pub(in crate::clip) fn with_borders(message: Message, code: Outcode) -> Message {
     let mut beyond = Border::ALL.into_iter().filter(|&border| code.has(border)).map(Border::word);
     let [first, second] = [beyond.next(), beyond.next()].map(|id| id.map(Value::Word));
     message

@@ -1,6 +1,8 @@
 //! Polygons against a convex region, border by border.
 
 pub mod clip_space;
+pub mod outline;
+pub mod sutherland_hodgman;
 
 pub use clip_space::{Corner, Origin, Polygon, clip_triangle};
 

@@ -2,6 +2,7 @@
 
 use super::{Event, Snapshot, snapshot::Fragment};
 use crate::{
+    compare::Fact,
     depth::{CompareFunction, DepthFormat},
     explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Piece, Role, Row, Table, View},
     message::{Message, Value},
@@ -152,6 +153,19 @@ impl Explain for Snapshot {
     fn view(&self) -> View {
         let points: Vec<_> = self.triangles.iter().map(|triangle| triangle.map(|[x, y, _]| [x, y])).collect();
         view_of(&points, &self.settings.raster)
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        let [width, height] = self.settings.raster.size;
+        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
+        for (pixel, &arrived) in pixels.zip(&self.arrived).filter(|(_, arrived)| **arrived > 0) {
+            let values = vec![
+                ("column-object", self.name_of(self.image.owner(pixel))),
+                ("column-depth", self.depth(self.image.depth.code(pixel))),
+                ("column-fragments", u32::from(arrived).into()),
+            ];
+            out.push(Fact::pixel(pixel, values));
+        }
     }
 }
 

@@ -31,6 +31,8 @@ pub struct Snapshot {
     pub(super) fragment: Option<Fragment>,
     /// Pixels that the triangle was tested at, and the verdicts.
     pub(super) verdicts: Vec<([u16; 2], bool)>,
+    /// How many fragments have come to each pixel; more than that stay that.
+    pub(super) arrived: Vec<u16>,
     /// Passed and failed fragments of each triangle begun.
     pub(super) counts: Vec<[u32; 2]>,
 }
@@ -45,6 +47,7 @@ impl Snapshot {
             names: names.into(),
             settings,
             image: settings.empty(),
+            arrived: vec![0; settings.raster.size.map(|side| side as usize).iter().product()],
             triangle: None,
             y: 0,
             fragment: None,
@@ -74,6 +77,7 @@ impl Clone for Snapshot {
             triangles: Arc::clone(&self.triangles),
             names: Arc::clone(&self.names),
             image: self.image.clone(),
+            arrived: self.arrived.clone(),
             verdicts: self.verdicts.clone(),
             counts: self.counts.clone(),
             ..*self
@@ -83,6 +87,7 @@ impl Clone for Snapshot {
     /// Into the memory that is there: a seek starts with this.
     fn clone_from(&mut self, from: &Self) {
         self.image.clone_from(&from.image);
+        self.arrived.clone_from(&from.arrived);
         self.verdicts.clone_from(&from.verdicts);
         self.counts.clone_from(&from.counts);
         let Self { settings, triangle, y, fragment, .. } = *from;
@@ -105,6 +110,8 @@ impl State for Snapshot {
             Event::Fragment { x, z, code, stored } => {
                 let x = u32::from(x);
                 let owner = self.image.owner([x, self.y]);
+                let arrived = &mut self.arrived[self.image.depth.index([x, self.y])];
+                *arrived = arrived.saturating_add(1);
                 self.fragment = Some(Fragment { x, z, code, stored, owner, passed: None });
             }
             Event::Pass => {
@@ -123,7 +130,7 @@ impl State for Snapshot {
     }
 
     fn size_hint(&self) -> usize {
-        let pixel = 2 * size_of::<u32>() + size_of::<([u16; 2], bool)>();
+        let pixel = 2 * size_of::<u32>() + size_of::<u16>() + size_of::<([u16; 2], bool)>();
         size_of::<Self>()
             + self.image.depth.codes().len() * pixel
             + self.triangles.len() * size_of::<[u32; 2]>()

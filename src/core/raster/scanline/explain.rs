@@ -2,6 +2,7 @@
 
 use super::{Between, Event, Side, fill};
 use crate::{
+    compare::Fact,
     explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::Tally,
     message::{Message, Value},
@@ -269,6 +270,13 @@ impl Explain for Snapshot {
 
     fn view(&self) -> View {
         view_of(&[self.vertices], &self.settings)
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        for row in &self.rows {
+            let begin = row.span.map_or(0, |[begin, _]| begin);
+            out.extend((begin..begin + row.drawn).map(|x| Fact::pixel([x, row.y], Vec::new())));
+        }
     }
 }
 

@@ -1,17 +1,21 @@
-//! The lab of a scene file: its name, the inputs of that lab's family, and the step.
+//! The lab of a scene file: its name, the inputs of that lab's family, the step, and
+//! what it is compared with.
 
-use super::super::{
-    document::Lab,
-    error::{Problem, shortened},
-    path::FieldError,
-    read::read,
+use super::{
+    super::{
+        document::Lab,
+        error::{Problem, shortened},
+        path::FieldError,
+        read::read,
+    },
+    compare::CompareWire,
 };
 use crate::labs::{self, LabInput};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 
 /// Fields of every lab.
-const COMMON: [&str; 3] = ["name", "algorithm", "step"];
+const COMMON: [&str; 4] = ["name", "algorithm", "step", "compare"];
 
 /// A lab on its way in or out: which inputs it has, its name says.
 pub(super) enum LabWire {
@@ -34,11 +38,14 @@ impl Serialize for LabWire {
             input: &'a LabInput,
             #[serde(skip_serializing_if = "Option::is_none")]
             step: Option<usize>,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            compare: Option<CompareWire>,
         }
         match self {
             Self::Read(value) => value.serialize(serializer),
-            Self::Write(Lab { input, step }) => {
-                Fields { name: input.name(), input, step: *step }.serialize(serializer)
+            Self::Write(Lab { input, step, compare }) => {
+                let compare = compare.map(CompareWire::from);
+                Fields { name: input.name(), input, step: *step, compare }.serialize(serializer)
             }
         }
     }
@@ -52,7 +59,7 @@ impl LabWire {
         };
         let mut fields: Map<String, Value> = read(&value)?;
         let mut take = |field: &'static str| fields.remove(field).filter(|value| !value.is_null());
-        let [name, algorithm, step] = COMMON.map(&mut take);
+        let [name, algorithm, step, compare] = COMMON.map(&mut take);
 
         let name = name.ok_or_else(|| FieldError::at("name", Problem::Missing))?;
         let name: String = read(&name).map_err(|e: FieldError| e.within("name"))?;
@@ -69,7 +76,9 @@ impl LabWire {
         }
         let step = step.map(|step| read(&step)).transpose().map_err(|e: FieldError| e.within("step"))?;
         let input = lab.read(&Value::Object(fields)).map_err(|e| e.with_known(&COMMON))?;
-        Ok(Lab { step, input })
+        let setting = |compare| read::<CompareWire>(&compare)?.into_setting(&input);
+        let compare = compare.map(setting).transpose().map_err(|e: FieldError| e.within("compare"))?;
+        Ok(Lab { step, input, compare })
     }
 }
 

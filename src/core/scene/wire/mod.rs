@@ -5,6 +5,7 @@
 //! combination is found.
 
 mod camera;
+mod compare;
 mod draw;
 mod lab;
 

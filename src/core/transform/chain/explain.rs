@@ -7,6 +7,7 @@ use super::{
     run,
 };
 use crate::{
+    compare::Fact,
     explain::{Explain, Formula, Level, Mark, Marker, Operations, Piece, Role, Row, Table, View},
     message::{Message, Value},
     raster::YAxis,
@@ -313,5 +314,18 @@ impl Explain for Snapshot {
 
     fn view(&self) -> View {
         picture::VIEW
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        for (path, number) in self.known.iter().zip(1..) {
+            for (space, known) in Space::ALL.into_iter().zip(path) {
+                if let [Some(x), Some(y), Some(z), Some(w)] = *known {
+                    let last = if space < Space::Ndc { "w" } else { "r" };
+                    let name = format!("P{number} {}", NAMES[space as usize]);
+                    let values = ["x", "y", "z", last].into_iter().zip([x, y, z, w].map(Value::from));
+                    out.push(Fact::named(name, values.collect()));
+                }
+            }
+        }
     }
 }

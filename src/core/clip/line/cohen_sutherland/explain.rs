@@ -4,8 +4,10 @@ use super::{Event, MOST_CUTS, Settings};
 use crate::{
     clip::line::{
         Border, End, Mistake, Mistakes, Outcode, Point, Segment, Window,
-        subject::{Subject, bits, draw_borders, draw_region_codes, draw_window, joined, view, with_borders},
+        subject::{Subject, bits, draw_borders, draw_region_codes, draw_window, joined, with_borders},
+        view,
     },
+    compare::Fact,
     explain::{Explain, Formula, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::Tally,
     message::{Message, Value},
@@ -268,7 +270,11 @@ impl Explain for Snapshot {
     }
 
     fn view(&self) -> View {
-        view(self.window.corners().into_iter().chain(self.subject.original))
+        view(self.subject.original, &self.window)
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        self.subject.facts(out);
     }
 }
 

@@ -2,10 +2,8 @@
 
 use super::Snapshot;
 use crate::{
-    clip::line::{Border, End, Mistake, Point, along},
+    clip::line::{Border, End, Mistake, Point, along, share},
     explain::{Formula, Piece},
-    math::Arithmetic,
-    message::Value,
 };
 
 impl Snapshot {
@@ -24,14 +22,8 @@ impl Snapshot {
         let (fixed, free) = (border.axis(), 1 - border.axis());
         let [[a1, b1], [a2, b2]] = ends.map(|p| [p[fixed], p[free]]);
         let c = self.window.at(border);
-        let t = if self.subject.arithmetic == Arithmetic::F32 {
-            Value::F32((c - a1) / (a2 - a1))
-        } else {
-            let [c, a1, a2] = [c, a1, a2].map(f64::from);
-            Value::F64((c - a1) / (a2 - a1))
-        };
-        let [a1, a2, b1, b2, c] = [a1, a2, b1, b2, c].map(|x| Piece::Number(x.into()));
-        let text = Piece::Text;
+        let (numbers, t) = share(c, [a1, a2], self.subject.arithmetic);
+        let [b1, b2] = [b1, b2].map(|x| Piece::Number(x.into()));
         let share = Formula {
             general: match (border, other) {
                 (Border::Top, false) => "t = (ymax − y1) / (y2 − y1)",
@@ -43,18 +35,7 @@ impl Snapshot {
                 (Border::Right, true) => "t = (xmax − x2) / (x1 − x2)",
                 (Border::Left, true) => "t = (xmin − x2) / (x1 − x2)",
             },
-            numbers: vec![
-                text("= ("),
-                c,
-                text(" − "),
-                a1.clone(),
-                text(") / ("),
-                a2,
-                text(" − "),
-                a1,
-                text(") = "),
-                Piece::Result(t.clone()),
-            ],
+            numbers,
         };
         let place = Formula {
             general: match (fixed, exact, end, other) {

@@ -7,11 +7,22 @@ use crate::{
         parametric::point_at,
         subject::{Subject, draw_window, view},
     },
+    compare::Fact,
     explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::Arithmetic,
     message::{Message, Value},
     replay::State,
 };
+
+/// A quotient, compared by its bits: rounded arithmetic can divide zero by zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Quotient(u32);
+
+impl Quotient {
+    fn get(self) -> f32 {
+        f32::from_bits(self.0)
+    }
+}
 
 /// What the user sees between two events: the fold of the events so far.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,7 +32,7 @@ pub struct Snapshot {
     /// In exact arithmetic.
     right: Option<Segment>,
     /// What the line does at each edge, and its t, once known.
-    edges: Vec<(Option<Course>, Option<f32>)>,
+    edges: Vec<(Option<Course>, Option<Quotient>)>,
     /// tE and tL, by the edge that they come from, and as numbers.
     parameters: [Parameter<Edge>; 2],
     pub(super) bounds: [f32; 2],
@@ -62,7 +73,7 @@ impl Snapshot {
 
     fn bound(&mut self, end: End, edge: Edge) {
         self.parameters[end as usize] = Parameter::At(edge);
-        self.bounds[end as usize] = self.edges[usize::from(edge)].1.unwrap_or_default();
+        self.bounds[end as usize] = self.edges[usize::from(edge)].1.map_or(0.0, Quotient::get);
     }
 }
 
@@ -79,7 +90,7 @@ impl State for Snapshot {
             }
             Event::Divide { edge, t } => {
                 self.divisions += 1;
-                self.edges[usize::from(edge)].1 = Some(t);
+                self.edges[usize::from(edge)].1 = Some(Quotient(t.to_bits()));
             }
             Event::Enter { edge, later: true } => self.bound(End::P1, edge),
             Event::Leave { edge, earlier: true } => self.bound(End::P2, edge),
@@ -215,7 +226,7 @@ impl Explain for Snapshot {
                 Some(false) => Some(Role::Rejected),
                 _ => Some(Role::Accepted),
             };
-            let row = Row::new(name(edge), vec![speed, distance, (*t).into(), there]);
+            let row = Row::new(name(edge), vec![speed, distance, t.map(Quotient::get).into(), there]);
             row.active(self.now == Some(edge)).role(role)
         });
         out.push(Table {
@@ -257,6 +268,10 @@ impl Explain for Snapshot {
     fn view(&self) -> View {
         view(self.window.corners().iter().copied().chain(self.subject.original))
     }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        self.subject.facts(out);
+    }
 }
 
 impl Snapshot {
@@ -284,7 +299,7 @@ impl Snapshot {
         let View { min, max, .. } = self.view();
         for (edge, (course, t)) in (0..).zip(&self.edges) {
             let (Some(course), Some(t)) = (course, t) else { continue };
-            let at = point_at(self.subject.original, f64::from(*t));
+            let at = point_at(self.subject.original, f64::from(t.get()));
             let shown = (0..2).all(|axis| (min[axis]..=max[axis]).contains(&at[axis]));
             let bounding = |end: End| self.parameters[end as usize] == Parameter::At(edge);
             let replaced = |end: End| bounding(end) && self.subject.has_moved(end);

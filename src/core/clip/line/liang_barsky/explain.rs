@@ -7,8 +7,10 @@ use super::{
 use crate::{
     clip::line::{
         Border, End, Segment, Window, cohen_sutherland,
-        subject::{Subject, draw_borders, draw_window, view},
+        subject::{Subject, draw_borders, draw_window},
+        view,
     },
+    compare::Fact,
     explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::{Arithmetic, Sign, Tally},
     message::{Message, Value},
@@ -303,7 +305,11 @@ impl Explain for Snapshot {
     }
 
     fn view(&self) -> View {
-        view(self.window.corners().into_iter().chain(self.subject.original))
+        view(self.subject.original, &self.window)
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        self.subject.facts(out);
     }
 }
 

@@ -4,8 +4,10 @@ use super::Event;
 use crate::{
     clip::line::{
         End, Outcode, Point, Segment, Window, cohen_sutherland,
-        subject::{Subject, bits, draw_borders, draw_region_codes, draw_window, joined, view, with_borders},
+        subject::{Subject, bits, draw_borders, draw_region_codes, draw_window, joined, with_borders},
+        view,
     },
+    compare::Fact,
     explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Piece, Role, Row, Table, View},
     math::Arithmetic,
     message::{Message, Value},
@@ -267,7 +269,11 @@ impl Explain for Snapshot {
     }
 
     fn view(&self) -> View {
-        view(self.window.corners().into_iter().chain(self.subject.original))
+        view(self.subject.original, &self.window)
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        self.subject.facts(out);
     }
 }
 

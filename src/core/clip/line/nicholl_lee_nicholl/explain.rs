@@ -7,8 +7,10 @@ use super::{
 use crate::{
     clip::line::{
         Border, End, Outcode, Segment, Window, cohen_sutherland,
-        subject::{Subject, bits, draw_borders, draw_window, view, with_borders},
+        subject::{Subject, bits, draw_borders, draw_window, with_borders},
+        view,
     },
+    compare::Fact,
     explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::Arithmetic,
     message::{Message, Value},
@@ -252,7 +254,11 @@ impl Explain for Snapshot {
     }
 
     fn view(&self) -> View {
-        view(self.window.corners().into_iter().chain(self.subject.original))
+        view(self.subject.original, &self.window)
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        self.subject.facts(out);
     }
 }
 

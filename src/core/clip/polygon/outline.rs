@@ -1,0 +1,288 @@
+//! Outlines of polygons in the window's plane whose corners know where they come from.
+//!
+//! A corner is named by its source, an edge by what carries it: so every decision about a corner can
+//! be made from the polygon as it was given, whatever rounding did to the coordinates in between.
+
+use crate::{
+    clip::line::{
+        Border, Point, Segment, Window,
+        intersection::{intersection, side_at},
+    },
+    math::{Sign, Tally, orient2d},
+};
+use serde::Serialize;
+use std::cmp::Ordering;
+
+/// Where a corner comes from. Edge `i` runs from corner `i` of the given polygon to the next one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Source {
+    /// A corner of the given polygon.
+    Vertex(u32),
+    /// A corner of the window: where these two borders meet.
+    Window([Border; 2]),
+    /// Where an edge of the given polygon crosses a border.
+    Crossing {
+        /// The edge.
+        edge: u32,
+        /// The border.
+        border: Border,
+    },
+}
+
+/// The line that an edge of an outline lies on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Carrier {
+    /// An edge of the given polygon.
+    Edge(u32),
+    /// A border of the window.
+    Border(Border),
+}
+
+/// A corner of an outline. `P` is a point in the arithmetic of the run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Corner<P = Point> {
+    /// Where it is: an input corner bit for bit, or a cut rounded once.
+    pub at: P,
+    /// Where it comes from.
+    pub source: Source,
+    /// What carries the edge to the next corner.
+    pub next: Carrier,
+}
+
+impl<P> Corner<P> {
+    /// Corner `index` of the given polygon.
+    #[inline]
+    pub fn given(index: usize, at: P) -> Self {
+        let index = index as u32;
+        Self { at, source: Source::Vertex(index), next: Carrier::Edge(index) }
+    }
+}
+
+/// On which side of a border a point lies. The window is closed: on the border is inside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Place {
+    /// On the inner side.
+    In,
+    /// Exactly on the border.
+    On,
+    /// Beyond the border.
+    Out,
+}
+
+impl Place {
+    /// From the order of a point's coordinate and the border's.
+    #[inline]
+    pub fn of(order: Ordering, border: Border) -> Self {
+        let outward = if border.is_upper() { Ordering::Greater } else { Ordering::Less };
+        match order {
+            Ordering::Equal => Self::On,
+            order if order == outward => Self::Out,
+            _ => Self::In,
+        }
+    }
+}
+
+/// A closed polygon as it was given, and the window: what every decision is made from.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Given<'a> {
+    pub(super) points: &'a [Point],
+    pub(super) window: &'a Window,
+}
+
+impl Given<'_> {
+    pub(super) fn edge(&self, index: u32) -> Segment {
+        let index = index as usize;
+        [self.points[index], self.points[if index + 1 == self.points.len() { 0 } else { index + 1 }]]
+    }
+
+    /// On which side of a border a corner lies, exactly.
+    ///
+    /// Rounding is monotone, so a rounded coordinate beside the border tells the side of the exact
+    /// one; only of a cut that was rounded onto the border the original edge must be asked.
+    #[inline]
+    pub(super) fn place(&self, corner: &Corner, border: Border, tally: &mut Tally) -> Place {
+        let (axis, c) = (border.axis(), self.window.at(border));
+        let order = if corner.at[axis] < c {
+            Ordering::Less
+        } else if corner.at[axis] > c {
+            Ordering::Greater
+        } else {
+            match corner.source {
+                Source::Crossing { edge, border: own } if own.axis() != axis => {
+                    match side_at(self.edge(edge), own, self.window, c, tally) {
+                        Sign::Negative => Ordering::Less,
+                        Sign::Zero => Ordering::Equal,
+                        Sign::Positive => Ordering::Greater,
+                    }
+                }
+                _ => Ordering::Equal,
+            }
+        };
+        Place::of(order, border)
+    }
+
+    /// Where what carries an edge meets a border that lies between the edge's ends.
+    #[inline]
+    pub(super) fn cut(&self, carrier: Carrier, border: Border, tally: &mut Tally) -> Point {
+        match carrier {
+            Carrier::Edge(edge) => intersection(self.edge(edge), border, self.window, tally),
+            Carrier::Border(own) => self.window_corner([own, border]),
+        }
+    }
+
+    /// Where two borders that are not parallel meet.
+    pub(super) fn window_corner(&self, borders: [Border; 2]) -> Point {
+        let mut at = [0.0; 2];
+        borders.into_iter().for_each(|border| at[border.axis()] = self.window.at(border));
+        at
+    }
+
+    /// Whether this coordinate stays the same along a carrier.
+    fn is_level(&self, carrier: Carrier, axis: usize) -> bool {
+        match carrier {
+            Carrier::Border(border) => border.axis() == axis,
+            Carrier::Edge(edge) => {
+                let [p, q] = self.edge(edge);
+                p[axis] == q[axis]
+            }
+        }
+    }
+
+    /// Whether the outline goes straight on at `b`: exact, since along an axis rounding keeps the order
+    /// of different points, and elsewhere only given corners lie between two edges of one line.
+    #[inline]
+    fn is_straight(&self, a: &Corner, b: &Corner, c: &Corner, tally: &mut Tally) -> bool {
+        let onward = |p: Point, q: Point, axis: usize, r: Point| {
+            p[axis] < q[axis] && q[axis] < r[axis] || p[axis] > q[axis] && q[axis] > r[axis]
+        };
+        if let (Carrier::Edge(i), Carrier::Edge(j)) = (a.next, b.next) {
+            let ([p, end], [start, r]) = (self.edge(i), self.edge(j));
+            return end == b.at
+                && start == b.at
+                && orient2d(p, b.at, r, tally).is_zero()
+                && (onward(p, b.at, 0, r) || onward(p, b.at, 1, r));
+        }
+        (0..2).any(|level| {
+            [a, b].into_iter().all(|corner| self.is_level(corner.next, level))
+                && onward(a.at, b.at, 1 - level, c.at)
+        })
+    }
+
+    /// Drops corners that repeat the one before them, and those at which the outline goes straight on.
+    /// Nothing is left of an outline that lies on one line, nor of one with fewer than three places.
+    ///
+    /// `dropped` hears of each corner's index among those that are left at that time.
+    pub(super) fn tidy(
+        &self,
+        corners: &mut Vec<Corner>,
+        tally: &mut Tally,
+        mut dropped: impl FnMut(usize, Why),
+    ) {
+        if self.is_on_one_line(corners, tally) {
+            return clear(corners, &mut dropped);
+        }
+        let mut kept = 0;
+        for read in 0..corners.len() {
+            let corner = corners[read];
+            if kept > 0 && corners[kept - 1].at == corner.at {
+                corners[kept - 1].absorb(&corner);
+                dropped(kept, Why::Repeats);
+                continue;
+            }
+            if kept > 1 && self.is_straight(&corners[kept - 2], &corners[kept - 1], &corner, tally) {
+                kept -= 1;
+                dropped(kept, Why::Straight);
+            }
+            corners[kept] = corner;
+            kept += 1;
+        }
+        corners.truncate(kept);
+        self.close(corners, tally, &mut dropped);
+        if corners.len() < 3 {
+            clear(corners, &mut dropped);
+        }
+    }
+
+    /// The same where the end of the list meets its start.
+    fn close(&self, corners: &mut Vec<Corner>, tally: &mut Tally, dropped: &mut impl FnMut(usize, Why)) {
+        while corners.len() > 2 {
+            let last = corners.len() - 1;
+            if corners[last].at == corners[0].at {
+                drop_corner(corners, last, Why::Repeats);
+                dropped(last, Why::Repeats);
+            } else if self.is_straight(&corners[last - 1], &corners[last], &corners[0], tally) {
+                corners.pop();
+                dropped(last, Why::Straight);
+            } else if self.is_straight(&corners[last], &corners[0], &corners[1], tally) {
+                corners.remove(0);
+                dropped(0, Why::Straight);
+            } else {
+                return;
+            }
+        }
+    }
+
+    /// Whether the whole outline lies on one line, exactly.
+    fn is_on_one_line(&self, corners: &[Corner], tally: &mut Tally) -> bool {
+        let level = |axis: usize| corners.iter().all(|corner| self.is_level(corner.next, axis));
+        if level(0) || level(1) {
+            return true;
+        }
+        let first = self.points[0];
+        let Some(&second) = self.points.iter().find(|&&point| point != first) else { return true };
+        self.points.iter().all(|&third| orient2d(first, second, third, tally).is_zero())
+    }
+}
+
+/// Drops every corner, the last one first.
+pub(super) fn clear<P>(corners: &mut Vec<Corner<P>>, dropped: &mut impl FnMut(usize, Why)) {
+    (0..corners.len()).rev().for_each(|index| dropped(index, Why::NoArea));
+    corners.clear();
+}
+
+/// Why a corner of the result is dropped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Why {
+    /// It is where the one before it is, or was rounded there.
+    Repeats,
+    /// The outline goes straight on.
+    Straight,
+    /// The whole result lies on one line, or less than three places are left of it.
+    NoArea,
+}
+
+/// Drops one corner from an outline; a corner at the same place takes over its edge.
+pub(super) fn drop_corner(corners: &mut Vec<Corner>, index: usize, why: Why) {
+    let corner = corners.remove(index);
+    if why == Why::Repeats && !corners.is_empty() {
+        if index > 0 && corners[index - 1].at == corner.at {
+            corners[index - 1].absorb(&corner);
+        } else {
+            let twin = index % corners.len();
+            let twin = &mut corners[twin];
+            let next = twin.next;
+            twin.absorb(&corner);
+            twin.next = next;
+        }
+    }
+}
+
+impl Corner {
+    /// Takes the place of `later`, which is at the same point. A given corner keeps its bits, and of two
+    /// that differ in the sign of a zero one is chosen by its bits: the direction cannot matter.
+    fn absorb(&mut self, later: &Self) {
+        let rank = |corner: &Self| {
+            let given = !matches!(corner.source, Source::Vertex(_));
+            let [x, y] = corner.at.map(f32::to_bits);
+            (given, x, y, corner.source)
+        };
+        if rank(later) < rank(self) {
+            (self.at, self.source) = (later.at, later.source);
+        }
+        self.next = later.next;
+    }
+}

@@ -1,0 +1,150 @@
+//! What a frame of the window costs in egui, without window, driver and display: layout, painting
+//! and tessellation, on one core. `cargo bench -p rasterscope-ui --bench frames [-- FILE...]`
+
+#![expect(clippy::print_stdout, reason = "a benchmark says what it measured")]
+
+use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
+use rasterscope_ui::{App, Platform, Purpose};
+use std::{io, time::Instant};
+
+/// Real files; nothing is kept.
+struct Files;
+
+impl Platform for Files {
+    fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
+        std::fs::read(path)
+    }
+
+    fn write(&mut self, _: &str, _: &[u8]) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn choose_file(&mut self, _: Purpose, _: &str) -> bool {
+        false
+    }
+
+    fn chosen(&mut self) -> Option<(Purpose, String)> {
+        None
+    }
+
+    fn kept(&mut self, _: &str) -> Option<Vec<u8>> {
+        None
+    }
+
+    fn keep(&mut self, _: &str, _: &[u8]) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn spawn(&mut self, work: Box<dyn FnOnce() + Send>) {
+        std::thread::spawn(work);
+    }
+}
+
+/// A window without a window.
+struct Desk {
+    ctx: Context,
+    app: App,
+    time: f64,
+    /// Milliseconds of each frame.
+    times: Vec<f64>,
+    /// Where things are, by their accessible names.
+    places: Vec<(String, Rect)>,
+}
+
+impl Desk {
+    fn open(file: &str) -> Self {
+        let ctx = Context::default();
+        ctx.enable_accesskit();
+        let start = Instant::now();
+        let mut app = App::new(&ctx);
+        app.start(&ctx, Some(file), &mut Files);
+        let opened = start.elapsed().as_secs_f64() * 1e3;
+        let mut desk = Self { ctx, app, time: 0.0, times: Vec::new(), places: Vec::new() };
+        desk.frame(Vec::new());
+        println!("{file}: opened in {opened:.1} ms");
+        desk.report("first frame");
+        for _ in 0..20 {
+            desk.frame(Vec::new());
+        }
+        desk.report("nothing happens");
+        desk
+    }
+
+    fn frame(&mut self, events: Vec<Event>) {
+        self.time += 1.0 / 60.0;
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 720.0))),
+            time: Some(self.time),
+            events,
+            ..RawInput::default()
+        };
+        let start = Instant::now();
+        let mut output = self.ctx.run_ui(input, |ui| self.app.ui(ui, &mut Files));
+        let meshes = self.ctx.tessellate(std::mem::take(&mut output.shapes), output.pixels_per_point);
+        self.times.push(start.elapsed().as_secs_f64() * 1e3);
+        drop(meshes);
+        output.textures_delta.clear();
+        let nodes = output.platform_output.accesskit_update.into_iter().flat_map(|update| update.nodes);
+        self.places = nodes
+            .filter_map(|(_, node)| {
+                let (name, at) = (node.label()?.to_owned(), node.bounds()?);
+                let corner = |x: f64, y: f64| pos2(x as f32, y as f32);
+                Some((name, Rect::from_min_max(corner(at.x0, at.y0), corner(at.x1, at.y1))))
+            })
+            .collect();
+    }
+
+    fn place(&self, name: &str) -> Option<Rect> {
+        self.places.iter().find(|(label, _)| label == name).map(|(_, rect)| *rect)
+    }
+
+    fn drag(&mut self, from: Pos2, to: Pos2, frames: usize) {
+        let button = |pos, pressed| Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        };
+        self.frame(vec![Event::PointerMoved(from)]);
+        self.frame(vec![button(from, true)]);
+        self.times.clear();
+        for i in 1..=frames {
+            self.frame(vec![Event::PointerMoved(from + (to - from) * (i as f32 / frames as f32))]);
+        }
+        self.report(&format!("drag, {frames} frames"));
+        self.frame(vec![button(to, false)]);
+        self.times.clear();
+    }
+
+    fn report(&mut self, what: &str) {
+        self.times.sort_by(f64::total_cmp);
+        if let (Some(worst), n) = (self.times.last(), self.times.len()) {
+            println!("    {what:24} median {:7.2} ms   worst {worst:8.2} ms", self.times[n / 2]);
+        }
+        self.times.clear();
+    }
+}
+
+fn main() {
+    let mut files: Vec<String> = std::env::args().skip(1).filter(|name| !name.starts_with('-')).collect();
+    if files.is_empty() {
+        files = ["line-three-cuts", "span-needle", "depth-through", "vertex-perspective"]
+            .into_iter()
+            .chain(["two-through-each-other", "trefoil", "spheres"])
+            .map(str::to_owned)
+            .collect();
+    }
+    for file in files {
+        let mut desk = Desk::open(&file);
+        for name in ["P1", "A0"] {
+            if let Some(at) = desk.place(name) {
+                desk.drag(at.center(), at.center() + vec2(60.0, -45.0), 60);
+            }
+        }
+        if let Some(bar) = desk.place("Step of the run") {
+            let y = bar.center().y;
+            println!("  scrubbing");
+            desk.drag(pos2(bar.left() + 10.0, y), pos2(bar.right() - 10.0, y), 120);
+        }
+    }
+}

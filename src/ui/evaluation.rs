@@ -1,0 +1,204 @@
+//! Brings the image and the run up to date with the document: at once, or beside the window where
+//! that would take longer than a frame. Until then the old ones stay on the screen.
+
+use crate::{
+    app::App,
+    overview::Overview,
+    platform::Platform,
+    run::Run,
+    task::{Busy, News, Progress, Task},
+};
+use egui::Context;
+use rasterscope_core::{
+    labs as core_labs,
+    message::Message,
+    pipeline::{Pipeline, Skips},
+    replay::{Budget, Playback},
+    scene::Scene,
+};
+use std::time::Duration;
+
+/// Most triangles, and pixels divided by [`PIXELS`], that are worked on between two frames: some
+/// 20 milliseconds.
+const AT_ONCE: usize = 20_000;
+/// So many pixels take as long as a triangle.
+const PIXELS: usize = 64;
+
+/// How far the screen is behind the document.
+#[derive(Debug, Default)]
+pub(crate) struct Evaluation {
+    /// The scene that the run is of, and why there is no run.
+    ran: Option<(Scene, Option<Message>)>,
+    /// The step to go to once there is a run.
+    step: Option<usize>,
+    pending: Option<Pending>,
+}
+
+/// What is computed beside the window.
+#[derive(Debug)]
+struct Pending {
+    scene: Scene,
+    skips: Skips,
+    /// `None` if another document was opened meanwhile.
+    wanted: Option<()>,
+    task: Task<Evaluated>,
+}
+
+/// What came of it.
+struct Evaluated {
+    pipeline: Option<Pipeline>,
+    run: Option<Played>,
+}
+
+type Played = Result<Box<dyn Playback>, Message>;
+
+impl App {
+    /// Brings everything up to date, or has it brought; asks for the frame that shows how far it is.
+    pub(crate) fn update(&mut self, ctx: &Context, platform: &mut dyn Platform) {
+        let now = ctx.input(|input| input.time);
+        self.arrived();
+        if !self.update_at_once() {
+            self.evaluate(now, platform);
+        }
+        if let Some(pending) = &self.evaluation.pending {
+            ctx.request_repaint_after(Duration::from_secs_f64(pending.task.wait(now)));
+        }
+    }
+
+    /// Brings everything up to date; `false` if that would take too long for a frame.
+    fn update_at_once(&mut self) -> bool {
+        let behind = self.behind();
+        if self.evaluation.pending.is_some() || behind.work(&self.document.scene) > AT_ONCE {
+            return false;
+        }
+        let scene = &self.document.scene;
+        if behind.image {
+            self.overview.update(scene, self.view.skips);
+        }
+        if behind.run {
+            let played = core_labs::play(scene, Budget::default());
+            self.evaluation.take_run(scene.clone(), played, &mut self.run);
+        }
+        true
+    }
+
+    fn behind(&self) -> Behind {
+        let scene = &self.document.scene;
+        Behind {
+            image: !self.overview.is_of(scene, self.view.skips),
+            run: self.evaluation.ran.as_ref().is_none_or(|(old, _)| old != scene),
+        }
+    }
+
+    /// Starts what takes longer, one at a time: the newest document follows.
+    fn evaluate(&mut self, now: f64, platform: &mut dyn Platform) {
+        if self.evaluation.pending.is_some() {
+            return;
+        }
+        let behind = self.behind();
+        let (scene, skips) = (self.document.scene.clone(), self.view.skips);
+        let lent = if behind.image { self.overview.lend() } else { None };
+        let given = scene.clone();
+        let task = Task::start(platform, now, move |progress: &Progress| {
+            let all = usize::from(lent.is_some()) + usize::from(behind.run);
+            progress.tell(0, all);
+            let pipeline = lent.map(|mut pipeline| {
+                pipeline.update(&given, &skips);
+                pipeline
+            });
+            progress.tell(all - usize::from(behind.run), all);
+            let run = behind.run.then(|| core_labs::play(&given, Budget::default()));
+            Evaluated { pipeline, run }
+        });
+        self.evaluation.pending = Some(Pending { scene, skips, wanted: Some(()), task });
+    }
+
+    /// Takes what was computed beside the window.
+    fn arrived(&mut self) {
+        let Some(pending) = self.evaluation.pending.take() else { return };
+        let Evaluated { pipeline, run } = match pending.task.news() {
+            News::None => {
+                self.evaluation.pending = Some(pending);
+                return;
+            }
+            News::Done(done) => done,
+            News::Lost => {
+                let run = Some(Err(Message::new("ui-lost")));
+                Evaluated { pipeline: Some(Overview::pipeline()), run }
+            }
+        };
+        if let Some(pipeline) = pipeline {
+            self.overview.give_back(pipeline, &pending.scene, pending.skips);
+        }
+        // Of another document than the one that is open only the pipeline is of use.
+        if let (Some(played), Some(())) = (run, pending.wanted) {
+            self.evaluation.take_run(pending.scene, played, &mut self.run);
+        }
+    }
+
+    /// Forgets the run: another document is open. Once it runs, the cursor goes to `step`.
+    pub(crate) fn start_anew(&mut self, step: Option<usize>) {
+        self.run.clear();
+        self.evaluation.ran = None;
+        self.evaluation.step = step;
+        if let Some(pending) = &mut self.evaluation.pending {
+            pending.wanted = None;
+        }
+        self.update_at_once();
+    }
+
+    /// Why nothing runs, if so.
+    pub(crate) fn problem(&self) -> Option<String> {
+        let (_, problem) = self.evaluation.ran.as_ref()?;
+        problem.as_ref().map(|problem| self.words.message(problem))
+    }
+
+    /// What the timeline shows of work that goes on.
+    pub(crate) fn busy(&self, ctx: &Context) -> Option<Busy> {
+        let now = ctx.input(|input| input.time);
+        let Some([done, all]) = self.evaluation.pending.as_ref().and_then(|each| each.task.progress(now))
+        else {
+            return self.filming(now);
+        };
+        let text = self.words.word(if done + 1 < all { "ui-busy-image" } else { "ui-busy-run" });
+        Some(Busy { text, part: (done as f32 + 0.5) / all.max(1) as f32, stoppable: false })
+    }
+}
+
+impl Evaluation {
+    fn take_run(&mut self, scene: Scene, played: Played, run: &mut Run) {
+        let problem = match played {
+            Ok(playback) => {
+                run.set(playback);
+                if let Some(step) = self.step.take() {
+                    run.seek(step);
+                }
+                None
+            }
+            Err(problem) => {
+                run.clear();
+                Some(problem)
+            }
+        };
+        self.ran = Some((scene, problem));
+    }
+}
+
+/// What has to be computed.
+#[derive(Clone, Copy, Debug)]
+struct Behind {
+    image: bool,
+    run: bool,
+}
+
+impl Behind {
+    /// How much work that is, in triangles.
+    fn work(self, scene: &Scene) -> usize {
+        let meshes = scene.draws.iter().filter_map(|draw| draw.geometry.mesh());
+        let triangles: usize = meshes.map(|mesh| mesh.triangles.len()).sum();
+        let pixels = if triangles == 0 { 0 } else { scene.size.iter().product::<u32>() as usize };
+        let once = triangles + pixels / PIXELS;
+        let run = self.run && scene.lab.as_ref().is_none_or(|lab| lab.input.is_of_scene());
+        once * (usize::from(self.image) + usize::from(run))
+    }
+}

@@ -2,7 +2,7 @@
 
 use eframe::egui::Context;
 use rasterscope_cli::files::write_whole;
-use rasterscope_ui::{Platform, Purpose};
+use rasterscope_ui::{Platform, Purpose, Reader};
 use std::{
     fs, io,
     path::{Path, PathBuf},
@@ -32,8 +32,8 @@ impl Desktop {
 }
 
 impl Platform for Desktop {
-    fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
-        fs::read(path)
+    fn reader(&mut self) -> Reader {
+        Box::new(|path| fs::read(path))
     }
 
     fn write(&mut self, path: &str, bytes: &[u8]) -> io::Result<()> {

@@ -12,7 +12,7 @@ use rasterscope_figure::{
     animation::Film,
     figure::Figure,
     layout::{self, Placement},
-    png, svg,
+    png, space, svg,
     theme::{Theme, ThemeName},
 };
 use std::{io::Write, path::PathBuf};
@@ -139,7 +139,8 @@ fn end_of_pipeline(scene: &Scene, options: &FigureOptions) -> Figure {
 
 /// The drawing of a run at its cursor.
 pub(crate) fn draw(run: &dyn Playback, size: [f32; 2], theme: &Theme) -> Figure {
-    lay_out(&run.marks(), &run.view(), size, theme)
+    let marks = run.marks();
+    lay_out(&space::seen(&marks, run.vantage().as_ref(), None), &run.view(), size, theme)
 }
 
 fn lay_out(marks: &[Mark], view: &View, size: [f32; 2], theme: &Theme) -> Figure {

@@ -5,8 +5,10 @@
 //! what a mark means, a [`Message`] names a sentence.
 
 mod operations;
+mod space;
 
 pub use operations::Operations;
+pub use space::{Solid, Vantage, box_corners};
 
 use crate::{
     compare::Fact,
@@ -203,6 +205,8 @@ pub enum Mark {
         /// RGBA8, row by row from the top; its length is `4 * width * height`.
         rgba: std::sync::Arc<Vec<u8>>,
     },
+    /// Geometry in space, for a lab that has a [`Vantage`]: seen through the camera outside.
+    Space(Solid),
 }
 
 /// What part of the plane an algorithm is about, and how it is laid out.
@@ -216,6 +220,11 @@ pub struct View {
     pub y_up: bool,
     /// What lines lie under the drawing.
     pub grid: Grid,
+}
+
+impl View {
+    /// What the camera outside shows of a drawing in space.
+    pub const SPACE: Self = Self { min: [-1.0, -1.0], max: [1.0, 1.0], y_up: true, grid: Grid::None };
 }
 
 /// Lines under a drawing.
@@ -327,8 +336,14 @@ pub trait Explain: State {
     fn tables(&self, out: &mut Vec<Table>);
     /// The drawing: input, what was done so far, and `event`, the step just taken, as active.
     fn marks(&self, event: Option<&Self::Event>, out: &mut Vec<Mark>);
-    /// What part of the plane the drawing shows; the same at every step.
+    /// What part of the plane the drawing shows; the same at every step. [`View::SPACE`] if it has a
+    /// vantage.
     fn view(&self) -> View;
+    /// From where a drawing in space is seen first, the same at every step; `None` if all marks lie in
+    /// the plane.
+    fn vantage(&self) -> Option<Vantage> {
+        None
+    }
     /// The result so far as facts, in any order: what a comparison of two runs looks at.
     ///
     /// Values as computed, not as drawn. Every registered lab has some at the end of every run

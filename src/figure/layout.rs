@@ -89,6 +89,8 @@ pub fn draw_held(
             Mark::Span { y, ends, role } => cells.span(&mut canvas, *y, *ends, *role),
             Mark::Text { at, label, role, big } => text(&mut canvas, *at, label, *role, *big),
             Mark::Image { size, rgba } => image(&mut canvas, *size, rgba),
+            // Of no plane: `space::seen` turns it into marks that are.
+            Mark::Space(_) => {}
         }
     }
     let places = labels::draw(&mut canvas, &wishes, held);

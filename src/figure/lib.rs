@@ -27,6 +27,7 @@ mod interior;
 mod labels;
 pub mod layout;
 pub mod orbit;
+pub mod space;
 
 pub mod animation;
 pub mod png;

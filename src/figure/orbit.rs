@@ -2,17 +2,21 @@
 //!
 //! The 3D stages show the frustum and the triangles in it from a point of their own. Coordinates of
 //! the world are right-handed with y up; those of the picture have y up, the target at (0, 0) and
-//! a half height of 1 at the edge of a 45 degree field of view, so a [`View`] of (-1, -1) to (1, 1)
-//! frames what is around the target.
+//! a half height of 1 at the edge of a 45 degree field of view, so a
+//! [`View::SPACE`](rasterscope_core::explain::View::SPACE) frames what is around the target.
 
 use glam::{DMat3, DVec3};
-use rasterscope_core::explain::{Grid, View};
+use rasterscope_core::explain::Vantage;
 pub use rasterscope_core::transform::frustum::{FRUSTUM_EDGES, FRUSTUM_FACES, frustum_corners};
 
 /// What is nearer to the eye than this share of the distance to the target is cut off.
 const NEAR: f64 = 0.02;
 /// Tangent of half the field of view, 22.5 degrees.
 const TANGENT: f64 = std::f64::consts::SQRT_2 - 1.0;
+/// How much of the picture's half height is filled at first.
+const FILLED: f32 = 0.92;
+/// How much wider than high a canvas is at least.
+const WIDE: f32 = 1.05;
 /// Sine of the same angle.
 const SINE: f64 = 0.382_683_432_365_089_8;
 
@@ -39,6 +43,39 @@ impl Orbit {
         let distance = radius / SINE * 1.05;
         let target = ((low + high) / 2.0).as_vec3().to_array();
         Self { yaw, pitch, distance: distance as f32, target }.turned(0.0, 0.0)
+    }
+
+    /// [`framing`](Self::framing), and then as near as shows all of `points` in a picture that is `wide`
+    /// times as wide as high: the sphere round them leaves room.
+    pub fn filling(points: &[[f32; 3]], yaw: f32, pitch: f32, wide: f32) -> Self {
+        let mut orbit = Self::framing(points, yaw, pitch);
+        let farthest = orbit.distance * 1.5;
+        for _ in 0..3 {
+            let seen = points.iter().filter_map(|&point| orbit.project(point));
+            let bounds = seen.fold(None, |bounds: Option<[[f32; 2]; 2]>, [x, y]| {
+                let [low, high] = bounds.unwrap_or([[x, y]; 2]);
+                Some([[low[0].min(x), low[1].min(y)], [high[0].max(x), high[1].max(y)]])
+            });
+            let [low, high] = bounds.unwrap_or_default();
+            orbit = orbit.moved([0, 1].map(|axis| (low[axis] + high[axis]) / 2.0));
+            // The nearest distance from which all is seen, by halving.
+            let [mut too_near, mut far] = [0.0, farthest];
+            for _ in 0..16 {
+                let middle = (too_near + far) / 2.0;
+                let at = Self { distance: middle, ..orbit };
+                let all = points.iter().filter(|p| p.iter().all(|c| c.is_finite())).all(|&point| {
+                    at.project(point).is_some_and(|[x, y]| (x.abs() / wide).max(y.abs()) <= FILLED)
+                });
+                if all { far = middle } else { too_near = middle }
+            }
+            orbit.distance = far;
+        }
+        orbit
+    }
+
+    /// The camera with which a drawing in space is seen first.
+    pub fn first(vantage: &Vantage) -> Self {
+        Self::filling(&vantage.points, vantage.yaw, vantage.pitch, WIDE)
     }
 
     /// Turned by these angles; the eye never passes a pole.
@@ -105,13 +142,17 @@ impl Orbit {
         self.seen(p).map_or(f32::INFINITY, |seen| seen.z as f32)
     }
 
-    /// A view of the plane in which the target is in the middle.
-    pub fn view(&self) -> View {
-        View { min: [-1.0, -1.0], max: [1.0, 1.0], y_up: true, grid: Grid::None }
+    /// A point of the picture as a point in space, at that [`depth`](Self::depth): what a pointer means
+    /// in the plane that is parallel to the picture there.
+    pub fn unproject(&self, [x, y]: [f32; 2], depth: f32) -> [f32; 3] {
+        let [right, up, back] = self.axes();
+        let size = f64::from(depth) * TANGENT;
+        let middle = wide(self.target) + back * f64::from(self.distance - depth);
+        (middle + (right * f64::from(x) + up * f64::from(y)) * size).as_vec3().to_array()
     }
 
     /// Right, up and backwards of the camera.
-    fn axes(&self) -> [DVec3; 3] {
+    pub(crate) fn axes(&self) -> [DVec3; 3] {
         let turn = DMat3::from_rotation_y(self.yaw.into()) * DMat3::from_rotation_x(-f64::from(self.pitch));
         [turn.x_axis, turn.y_axis, turn.z_axis]
     }
@@ -144,7 +185,7 @@ impl Orbit {
     }
 }
 
-fn wide(p: [f32; 3]) -> DVec3 {
+pub(crate) fn wide(p: [f32; 3]) -> DVec3 {
     DVec3::from_array(p.map(f64::from))
 }
 
@@ -196,6 +237,24 @@ mod tests {
         assert!(orbit.polygon(&[[0.0, 0.0, 6.0], [1.0, 0.0, 7.0], [0.0, 1.0, 8.0]]).is_empty());
         assert!(orbit.polygon(&[[f32::NAN; 3]; 3]).is_empty());
         assert!(orbit.depth([0.0; 3]) < orbit.depth([0.0, 0.0, -1.0]));
+    }
+
+    #[test]
+    fn a_pointer_leads_back_to_the_point_under_it() {
+        let orbit = Orbit::framing(&CUBE, 0.7, 0.4);
+        let p = [0.3, -0.8, 0.5];
+        let back = orbit.unproject(orbit.project(p).unwrap(), orbit.depth(p));
+        assert!((0..3).all(|axis| (back[axis] - p[axis]).abs() < 1e-5), "{back:?}");
+    }
+
+    #[test]
+    fn filling_shows_all_points_and_leaves_little_room() {
+        for points in [&CUBE[..], &[[0.0; 3], [9.0, 0.1, 0.0], [0.0, 0.0, 0.2]]] {
+            let orbit = Orbit::filling(points, 0.9, 0.3, 1.0);
+            let most =
+                points.iter().flat_map(|&p| orbit.project(p).unwrap()).map(f32::abs).fold(0.0, f32::max);
+            assert!((0.75..=1.0).contains(&most), "{most}");
+        }
     }
 
     #[test]

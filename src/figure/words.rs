@@ -93,6 +93,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "cyrus-beck"
     "midpoint"
     "nicholl-lee-nicholl"
+    "clip-triangle"
     "aabb"
     "scanline"
     "z-buffer"

@@ -7,6 +7,7 @@ use crate::{
     film::Film,
     keeping::Kept,
     labs::{self, Lab},
+    opening::Opening,
     overview::Overview,
     paint::Textures,
     platform::{Platform, Purpose},
@@ -42,6 +43,8 @@ pub struct App {
     /// The preset that was opened, and what it was; no longer chosen once something is edited.
     pub(crate) preset: Option<(&'static str, Scene)>,
     pub(crate) notice: Option<Notice>,
+    /// The file that is being opened.
+    pub(crate) opening: Option<Opening>,
     /// The animated picture that is being made.
     pub(crate) film: Option<Film>,
     /// Where the document came from, and what was last written there.
@@ -84,6 +87,7 @@ impl App {
             names,
             preset: None,
             notice: None,
+            opening: None,
             film: None,
             path: None,
             clean: None,
@@ -117,8 +121,13 @@ impl App {
         }));
         commands.extend(crate::shell::keys::pressed(&ctx, self.canvas.handles()));
         self.execute(&ctx, commands, platform);
+        self.end_opening(&ctx, platform);
         self.end_film(&ctx, platform);
         self.play(&ctx);
+        if self.only_opening(&ctx) {
+            ui.painter().rect_filled(ui.max_rect(), 0, self.look.panel);
+            return;
+        }
         self.update(&ctx, platform);
 
         self.history.begin(&self.document);
@@ -168,6 +177,7 @@ impl App {
         self.document.open_lab(name, || core_labs::default_input(name).unwrap_or(LabInput::PIPELINE));
         self.view.due = None;
         self.canvas.fit();
+        self.view.outside = None;
     }
 
     /// Replaces the document; can be undone.
@@ -187,5 +197,6 @@ impl App {
         self.notice = None;
         self.start_anew(step);
         self.canvas.fit();
+        self.view.outside = None;
     }
 }

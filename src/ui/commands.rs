@@ -5,6 +5,7 @@ use crate::{
     document::Palette,
     face::Command,
     files,
+    opening::When,
     platform::{Platform, Purpose},
     shell::notice::Notice,
     theme::Look,
@@ -59,6 +60,7 @@ impl App {
             Command::Fit => {
                 self.canvas.fit();
                 self.view.orbit = None;
+                self.view.outside = None;
             }
             Command::Escape => self.escape(ctx),
             Command::Stage(stage) => {
@@ -66,7 +68,7 @@ impl App {
                 self.open_lab(lab.map_or("pipeline", |lab| lab.name));
             }
             Command::Preset(name) => self.open_preset(name),
-            Command::Open(path) => self.open(&path, platform),
+            Command::Open(path) => self.open(ctx, &path, When::Later, platform),
             Command::Choose(purpose) => {
                 let proposed = self.proposed(purpose);
                 if !platform.choose_file(purpose, files::split(&proposed)[1]) {
@@ -84,7 +86,7 @@ impl App {
             },
             Command::Picture(path) => self.write_picture(&path, platform),
             Command::Film(path) => self.start_film(ctx, &path, platform),
-            Command::Stop => self.stop_film(),
+            Command::Stop => self.stop(),
             Command::CopyPicture => self.copy_picture(ctx),
             Command::CopyValues => self.copy_values(ctx),
             Command::Dismiss => {
@@ -92,7 +94,7 @@ impl App {
                 self.then = None;
             }
             Command::Reset => {
-                self.reset(platform);
+                self.reset(ctx, platform);
                 self.notice = None;
             }
             Command::SaveFirst => {
@@ -106,7 +108,7 @@ impl App {
                     self.one(ctx, *then, platform);
                 }
             }
-            Command::BringBack => self.bring_back(platform),
+            Command::BringBack => self.bring_back(ctx, platform),
             Command::Forget => {
                 self.forget(platform);
                 self.notice = None;
@@ -159,7 +161,7 @@ impl App {
         } else if self.view.playing() {
             self.view.due = None;
         } else {
-            self.stop_film();
+            self.stop();
         }
     }
 
@@ -185,26 +187,6 @@ impl App {
                 self.replace(scene);
                 self.path = None;
                 self.preset = Some((name, self.document.scene.clone()));
-            }
-            Err(problem) => self.notice = Some(Notice::Failed(self.words.message(&problem))),
-        }
-    }
-
-    /// Opens a scene or a model, or the preset of that name where there is no such file. If that
-    /// fails the document stays as it is.
-    pub fn open(&mut self, path: &str, platform: &mut dyn Platform) {
-        let read = platform.read(path);
-        if let (Err(_), Some(preset)) = (&read, scene::preset(path)) {
-            return self.open_preset(preset.name);
-        }
-        let opened = read
-            .map_err(|error| unreadable("ui-error-read", path, &error))
-            .and_then(|bytes| files::open(path, &bytes, &mut |file| platform.read(file).ok()));
-        match opened {
-            Ok(scene) => {
-                self.replace(scene);
-                self.preset = None;
-                self.path = Some(path.to_owned());
             }
             Err(problem) => self.notice = Some(Notice::Failed(self.words.message(&problem))),
         }

@@ -154,6 +154,8 @@ pub(crate) struct ViewState {
     pub(crate) pixel: Option<[u32; 2]>,
     /// The camera outside the frustum, once it was used.
     pub(crate) orbit: Option<Orbit>,
+    /// The camera of a lab that draws in space, once the user has turned it.
+    pub(crate) outside: Option<Orbit>,
     /// What the pipeline may leave out; it never changes the image.
     pub(crate) skips: Skips,
     /// What the overview's canvas shows.
@@ -191,6 +193,7 @@ impl Default for ViewState {
             tab: Tab::Step,
             pixel: None,
             orbit: None,
+            outside: None,
             skips: Skips::ALL,
             scenery: Scenery::Image,
             outlines: true,

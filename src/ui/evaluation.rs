@@ -156,6 +156,10 @@ impl App {
     /// What the timeline shows of work that goes on.
     pub(crate) fn busy(&self, ctx: &Context) -> Option<Busy> {
         let now = ctx.input(|input| input.time);
+        let opening = self.busy_opening(now);
+        if opening.is_some() {
+            return opening;
+        }
         let Some([done, all]) = self.evaluation.pending.as_ref().and_then(|each| each.task.progress(now))
         else {
             return self.filming(now);

@@ -17,6 +17,7 @@ use rasterscope_core::{
 use rasterscope_figure::{
     animation,
     layout::{self, Placement},
+    space,
     words::Words,
 };
 use std::time::Duration;
@@ -54,6 +55,7 @@ impl App {
         let delay = (1000.0 / self.view.speed).clamp(20.0, 60_000.0) as u16;
         // Where the run stands on the canvas the user may have zoomed in; elsewhere each drawing fits.
         let placed = self.run.shown().map(|shown| shown.view).zip(self.canvas.placement_of_run());
+        let camera = self.canvas.camera();
         let last = self.last_picture();
         let work = move |progress: &crate::task::Progress| {
             let mut run = core_labs::play(&scene, Budget::default())?;
@@ -70,7 +72,10 @@ impl App {
             };
             let draw = |run: &dyn Playback| match &last {
                 Some((marks, view)) if run.cursor() == run.len() => lay_out(marks, view),
-                _ => lay_out(&run.marks(), &run.view()),
+                _ => {
+                    let marks = run.marks();
+                    lay_out(&space::seen(&marks, run.vantage().as_ref(), camera.as_ref()), &run.view())
+                }
             };
             let frames = film.steps.len();
             let watch = |done| progress.tell(done, frames);
@@ -92,9 +97,11 @@ impl App {
         (picture.maker == crate::shell::canvas::Maker::Image).then(|| (picture.marks.clone(), picture.view))
     }
 
-    /// Stops the animated picture that is being made.
-    pub(crate) fn stop_film(&mut self) {
-        if let Some(film) = &self.film {
+    /// Stops what the timeline shows the progress of.
+    pub(crate) fn stop(&mut self) {
+        if self.opening.take().is_none()
+            && let Some(film) = &self.film
+        {
             film.task.stop();
         }
     }

@@ -5,6 +5,7 @@ use crate::{
     document::Document,
     face::Command,
     files,
+    opening::When,
     platform::Platform,
     session::{Session, Settings},
     shell::notice::Notice,
@@ -41,21 +42,31 @@ impl App {
             self.wear(ctx, self.view.theme);
             ctx.set_zoom_factor(session.settings.text_size());
             if file.is_none() {
-                self.take_up(&session, platform);
-            } else if session.modified && platform.keep(ASIDE, &session.to_bytes()).is_err() {
+                return self.take_up(ctx, (session, None), When::First, platform);
+            }
+            if session.modified && platform.keep(ASIDE, &session.to_bytes()).is_err() {
                 // What cannot be set aside stays on the screen.
-                self.take_up(&session, platform);
-                self.notice = file.map(|file| Notice::Unsaved(Box::new(Command::Open(file.to_owned()))));
-                return;
+                return self.take_up(ctx, (session, file), When::First, platform);
             }
         }
-        if let Some(file) = file {
-            self.open(file, platform);
-            // What the window starts with is no edit.
-            self.history = Default::default();
+        match file {
+            Some(file) => self.open(ctx, file, When::First, platform),
+            None => self.offer_aside(platform),
         }
+    }
+
+    /// Says that there is work set aside.
+    pub(crate) fn offer_aside(&mut self, platform: &mut dyn Platform) {
         if self.notice.is_none() && self.aside(platform).is_some() {
             self.notice = Some(Notice::Aside);
+        }
+    }
+
+    /// Sets the work of a session aside that cannot be opened now: a model may be missing.
+    pub(crate) fn set_aside(&mut self, session: &Session, platform: &mut dyn Platform) {
+        if session.modified {
+            // Where nothing can be kept nothing is overwritten either.
+            let _ = platform.keep(ASIDE, &session.to_bytes());
         }
     }
 
@@ -63,15 +74,8 @@ impl App {
         platform.kept(ASIDE).and_then(|bytes| Session::from_bytes(&bytes))
     }
 
-    /// Opens what a session was about.
-    fn take_up(&mut self, session: &Session, platform: &mut dyn Platform) {
-        let (document, step) = match session.document(&mut |file| platform.read(file).ok()) {
-            Ok(opened) => opened,
-            Err(problem) => {
-                self.notice = Some(Notice::Failed(self.words.message(&problem)));
-                return;
-            }
-        };
+    /// Goes on where a session ended.
+    pub(crate) fn take_session(&mut self, session: Session, document: Document, step: Option<usize>) {
         self.preset = None;
         self.path = session.path.clone();
         if let Some(name) = &session.preset
@@ -91,11 +95,10 @@ impl App {
     }
 
     /// Brings back the work that was set aside.
-    pub(crate) fn bring_back(&mut self, platform: &mut dyn Platform) {
+    pub(crate) fn bring_back(&mut self, ctx: &Context, platform: &mut dyn Platform) {
         if let Some(session) = self.aside(platform) {
             self.notice = None;
-            self.take_up(&session, platform);
-            self.forget(platform);
+            self.take_up(ctx, (session, None), When::Later, platform);
         }
     }
 
@@ -106,14 +109,14 @@ impl App {
     }
 
     /// Goes back to the document before the edits.
-    pub(crate) fn reset(&mut self, platform: &mut dyn Platform) {
+    pub(crate) fn reset(&mut self, ctx: &Context, platform: &mut dyn Platform) {
         match (self.clean.clone(), self.path.clone()) {
             (Some(clean), _) => {
                 self.history.begin(&self.document);
                 self.document = clean;
                 self.history.end(&self.document, false);
             }
-            (None, Some(path)) => self.open(&path, platform),
+            (None, Some(path)) => self.open(ctx, &path, When::Later, platform),
             (None, None) => {
                 if let Some(first) = self.presets.first() {
                     self.open_preset(first.name);
@@ -138,10 +141,13 @@ impl App {
     /// Closes the window; what is not saved now is not wanted.
     pub(crate) fn quit(&mut self, ctx: &Context, platform: &mut dyn Platform) {
         if self.modified() {
-            self.reset(platform);
+            self.reset(ctx, platform);
         }
         self.quitting = true;
-        ctx.send_viewport_cmd(ViewportCommand::Close);
+        // What is being opened instead is waited for.
+        if self.opening.is_none() {
+            ctx.send_viewport_cmd(ViewportCommand::Close);
+        }
     }
 
     /// Keeps the work if it has changed and was not kept lately; asks for the frame in which it is
@@ -153,7 +159,7 @@ impl App {
         let same = self.kept.last.as_ref().is_some_and(|(document, with, was)| {
             *was == modified && *with == settings && *document == self.document
         });
-        if same {
+        if same || self.opening.is_some() {
             self.kept.due = None;
             return;
         }
@@ -168,6 +174,10 @@ impl App {
 
     /// Keeps the work at once: before the program ends.
     pub fn keep(&mut self, ctx: &Context, platform: &mut dyn Platform) {
+        if self.opening.is_some() {
+            // What was kept before may be what is being opened.
+            return;
+        }
         let settings = Settings::of(&self.view, ctx.zoom_factor());
         let step = self.run.shown().and_then(|shown| (shown.cursor < shown.len).then_some(shown.cursor));
         let modified = self.modified();

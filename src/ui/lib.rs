@@ -17,6 +17,7 @@ mod files;
 mod film;
 mod keeping;
 mod labs;
+mod opening;
 mod overview;
 mod paint;
 mod panels;
@@ -30,7 +31,7 @@ mod theme;
 mod widgets;
 
 pub use app::App;
-pub use platform::{Platform, Purpose};
+pub use platform::{Platform, Purpose, Reader};
 
 #[cfg(test)]
 mod tests;

@@ -169,11 +169,15 @@ impl App {
             (Some(picture), _) => Some(Drawing {
                 marks: &picture.marks,
                 view: &picture.view,
+                vantage: None,
                 rev: (picture.maker, picture.rev),
             }),
-            (None, Some(shown)) => {
-                Some(Drawing { marks: &shown.marks, view: &shown.view, rev: (Maker::Run, shown.rev) })
-            }
+            (None, Some(shown)) => Some(Drawing {
+                marks: &shown.marks,
+                view: &shown.view,
+                vantage: shown.vantage.as_ref(),
+                rev: (Maker::Run, shown.rev),
+            }),
             (None, None) => None,
         };
         let Some(drawing) = drawing else {

@@ -5,10 +5,13 @@
 
 use std::io;
 
+/// The bytes of a file, by its path.
+pub type Reader = Box<dyn FnMut(&str) -> io::Result<Vec<u8>> + Send>;
+
 /// Files, as far as the window reads and writes them.
 pub trait Platform {
-    /// The bytes of a file.
-    fn read(&mut self, path: &str) -> io::Result<Vec<u8>>;
+    /// Gives the bytes of files, also to work beside the window.
+    fn reader(&mut self) -> Reader;
 
     /// Writes a file whole or not at all.
     fn write(&mut self, path: &str, bytes: &[u8]) -> io::Result<()>;

@@ -1,7 +1,7 @@
 //! The run on screen: a playback, and what it shows at its cursor.
 
 use rasterscope_core::{
-    explain::{Formula, Level, Mark, Marker, Table, View},
+    explain::{Formula, Level, Mark, Marker, Table, Vantage, View},
     message::Message,
     replay::Playback,
 };
@@ -19,6 +19,7 @@ pub(crate) struct Shown {
     pub(crate) before: Vec<Table>,
     pub(crate) marks: Vec<Mark>,
     pub(crate) view: View,
+    pub(crate) vantage: Option<Vantage>,
     pub(crate) markers: Vec<(usize, Marker)>,
     /// Moves whenever anything above may have changed.
     pub(crate) rev: u64,
@@ -123,6 +124,7 @@ impl Run {
             tables: playback.tables(),
             marks: playback.marks(),
             view: playback.view(),
+            vantage: playback.vantage(),
             markers,
             rev: self.rev,
         });

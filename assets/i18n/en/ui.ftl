@@ -135,6 +135,7 @@ ui-film-busy = An animated picture is being made: wait for it, or stop it first.
 ui-film-frame = Animated picture: frame { $number } of { $all }
 ui-film-saved = Saved to { $path }: { $frames } frames.
 ui-film-stopped = The animated picture was stopped: nothing was written.
+ui-busy-open = Opening { $name }
 ui-busy-image = Computing the image
 ui-busy-run = Tracing the steps
 ui-stop = Stop

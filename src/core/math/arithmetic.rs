@@ -40,6 +40,12 @@ impl Arithmetic {
         }
     }
 
+    /// Whether algorithms other than scan conversion answer exactly in it: fixed point is for that alone.
+    #[must_use]
+    pub const fn is_exact(self) -> bool {
+        matches!(self, Self::Exact | Self::Fixed8)
+    }
+
     /// Message id of its name.
     #[must_use]
     pub const fn word(self) -> &'static str {

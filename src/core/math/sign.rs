@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::ops::{Mul, Neg};
 
 /// Negative, zero or positive; ordered in that order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
 pub enum Sign {
     /// Less than zero.
     Negative,

@@ -3,7 +3,7 @@
 use super::Player;
 use crate::{
     compare::Fact,
-    explain::{Explain, Formula, Level, Mark, Marker, Operations, Table, View},
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, Table, Vantage, View},
     message::Message,
 };
 
@@ -48,6 +48,8 @@ pub trait Playback: Send {
     fn marks(&self) -> Vec<Mark>;
     /// What part of the plane the drawing shows.
     fn view(&self) -> View;
+    /// From where a drawing in space is seen first.
+    fn vantage(&self) -> Option<Vantage>;
     /// Marks of the timeline with their steps, in order.
     fn markers(&self) -> Vec<(usize, Marker)>;
     /// The steps that end an event of `level` or coarser, in order.
@@ -159,6 +161,10 @@ impl<S: Explain> Playback for Player<S> {
 
     fn view(&self) -> View {
         self.state.view()
+    }
+
+    fn vantage(&self) -> Option<Vantage> {
+        self.state.vantage()
     }
 
     fn markers(&self) -> Vec<(usize, Marker)> {

@@ -41,6 +41,23 @@ pub(crate) trait Lab: std::fmt::Debug {
 
     /// Moves a handle: the only way in which the canvas edits the document.
     fn drag(&self, document: &mut Document, handle: usize, to: [f32; 2]);
+
+    /// What can be dragged of a drawing in space.
+    fn solid_handles(&self, _: &Document) -> Vec<SolidHandle> {
+        Vec::new()
+    }
+
+    /// Moves a handle of a drawing in space.
+    fn drag_solid(&self, _: &mut Document, _: usize, _: [f32; 3]) {}
+}
+
+/// A point of a drawing in space that can be dragged, in the plane through it that the picture shows.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct SolidHandle {
+    /// Its accessible name.
+    pub(crate) name: String,
+    /// Where it is, in the space of the drawing.
+    pub(crate) at: [f32; 3],
 }
 
 /// What a lab did, as its chip says it.

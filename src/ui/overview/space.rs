@@ -36,14 +36,7 @@ pub(super) fn first_orbit(outputs: &Outputs, scene: &Scene) -> Orbit {
     for draw in &outputs.draws {
         points.extend(draw.world().iter().map(|[x, y, z, _]| [*x, *y, *z]));
     }
-    // The sphere round everything leaves room: go nearer until the outermost point is at the border.
-    let mut orbit = Orbit::framing(&points, 0.9, 0.3);
-    for _ in 0..4 {
-        let seen = points.iter().filter_map(|&point| orbit.project(point));
-        let most = seen.map(|[x, y]| (x.abs() / WIDE).max(y.abs())).fold(0.0, f32::max);
-        orbit = orbit.nearer(if most > 0.0 { 0.92 / most } else { 1.0 });
-    }
-    orbit
+    Orbit::filling(&points, 0.9, 0.3, WIDE)
 }
 
 fn frustum(outputs: &Outputs, scene: &Scene) -> Option<[[f32; 3]; 8]> {

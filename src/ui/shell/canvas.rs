@@ -1,25 +1,28 @@
 //! The canvas: the drawing of the step, handles to drag, zoom, pan, and the readout.
 
-use super::handles::{self, Plane};
+use super::{
+    handles::{self, Plane},
+    outside::{self, Outside},
+};
 use crate::{
-    document::{Tab, ViewState},
+    document::{Snap, Tab, ViewState},
     face::Face,
-    labs::{Handle, Open},
+    labs::{Handle, Open, SolidHandle},
     overview::Hover,
     paint::{self, Textures},
     theme::Text,
     widgets::{focus_ring, text_in},
 };
-use egui::{
-    Align2, Id, PointerButton, Pos2, Rect, Response, Role as Part, Sense, Ui, Vec2, WidgetInfo, pos2, vec2,
-};
+use egui::{Align2, Id, Pos2, Rect, Response, Role as Part, Sense, Ui, Vec2, WidgetInfo, pos2, vec2};
 use rasterscope_core::{
-    explain::{Grid, Mark, View},
+    explain::{Grid, Mark, Vantage, View},
     message::{Message, Value},
 };
 use rasterscope_figure::{
     figure::Figure,
     layout::{self, Placement, Places},
+    orbit::Orbit,
+    space,
     theme::ThemeName,
 };
 
@@ -33,6 +36,8 @@ pub(crate) const INSET: f32 = 12.0;
 pub(crate) struct Drawing<'a> {
     pub(crate) marks: &'a [Mark],
     pub(crate) view: &'a View,
+    /// From where a drawing in space is seen first.
+    pub(crate) vantage: Option<&'a Vantage>,
     /// Differs whenever the marks or the view may have changed: who made them, and which.
     pub(crate) rev: (Maker, u64),
 }
@@ -59,6 +64,7 @@ pub(crate) struct Canvas {
     figure: Option<(FigureKey, Figure, Places)>,
     handles: Vec<Id>,
     dragging: bool,
+    outside: Outside,
     /// The pixel under the pointer in the last frame.
     pub(crate) hovered: Option<[u32; 2]>,
     /// How often a figure was laid out: tests assert on it.
@@ -66,13 +72,14 @@ pub(crate) struct Canvas {
 }
 
 /// What a figure was made of.
-type FigureKey = ((Maker, u64), Placement, Vec2, ThemeName, bool);
+type FigureKey = ((Maker, u64), Placement, Option<Orbit>, Vec2, ThemeName, bool);
 
 impl Canvas {
     /// Fits the drawing into the canvas at the next frame.
     pub(crate) fn fit(&mut self) {
         self.moved = false;
         self.placement = None;
+        self.outside.fit();
     }
 
     /// The handles of the last frame.
@@ -87,7 +94,12 @@ impl Canvas {
 
     /// The size of the drawing of the last frame.
     pub(crate) fn size(&self) -> Option<Vec2> {
-        self.figure.as_ref().map(|((_, _, size, ..), ..)| *size)
+        self.figure.as_ref().map(|((_, _, _, size, ..), ..)| *size)
+    }
+
+    /// The camera outside through which the drawing of the last frame was seen.
+    pub(crate) fn camera(&self) -> Option<Orbit> {
+        self.figure.as_ref().and_then(|((_, _, camera, ..), ..)| *camera)
     }
 
     /// Where the run's drawing lies, if it is on the canvas.
@@ -112,21 +124,33 @@ impl Canvas {
         hover: Option<&Hover>,
     ) {
         let rect = ui.max_rect();
-        // A camera of its own looks at the scene from outside: there is no plane to drag in.
-        let space = drawing.rev.0 == Maker::Space;
-        let handles = if space { Vec::new() } else { open.lab.handles(open.document) };
+        // The overview's camera outside looks at the scene: there is nothing to drag.
+        let overview = drawing.rev.0 == Maker::Space;
+        let camera =
+            drawing.vantage.map(|first| self.outside.camera(first, open.view.outside, self.dragging));
+        let solid = if camera.is_some() { open.lab.solid_handles(open.document) } else { Vec::new() };
+        let handles = match camera {
+            Some(camera) => outside::project(&solid, &camera),
+            None if overview => Vec::new(),
+            None => open.lab.handles(open.document),
+        };
         self.place(drawing, rect.size(), &handles);
         let background = ui.interact(rect, ui.scope_id().with("canvas"), Sense::click_and_drag());
         background.widget_info(|| WidgetInfo::labeled(Part::Canvas, true, face.say("ui-canvas")));
-        if space {
-            turn(ui, rect, &background, open.view);
-        } else {
+        if let Some(camera) = camera {
+            if let Some(turned) = outside::turn(ui, rect, &background, camera) {
+                open.view.outside = Some(turned);
+                ui.ctx().request_repaint();
+            }
+        } else if let (true, Some(orbit)) = (overview, &mut open.view.orbit) {
+            *orbit = outside::turn(ui, rect, &background, *orbit).unwrap_or(*orbit);
+        } else if !overview {
             self.navigate(ui, rect, &background, drawing, open.view);
         }
         let Some(placement) = self.placement else { return };
         let plane = Plane { rect, placement, y_up: drawing.view.y_up };
-        let shown = self.move_handles(ui, &plane, &handles, open);
-        let figure = self.figure(drawing, placement, rect.size(), face);
+        let shown = self.move_handles(ui, &plane, &handles, camera.map(|camera| (camera, &solid[..])), open);
+        let figure = self.figure(drawing, camera, placement, rect.size(), face);
         paint::figure(ui.painter(), textures, rect.min, figure);
         for (response, handle) in &shown {
             handles::paint(ui, face, response, plane.place(handle.at), handle.kind);
@@ -141,6 +165,7 @@ impl Canvas {
         ui: &Ui,
         plane: &Plane,
         handles: &'h [Handle],
+        solid: Option<(Orbit, &[SolidHandle])>,
         open: &mut Open<'_>,
     ) -> Vec<(Response, &'h Handle)> {
         self.handles.clear();
@@ -151,15 +176,28 @@ impl Canvas {
             }
             let id = ui.scope_id().with(("handle", open.lab.name(), index));
             self.handles.push(id);
-            let (response, moved) = handles::interact(ui, plane, id, handle, open.view.snap);
+            let snap = if solid.is_some() { Snap::Off } else { open.view.snap };
+            let (response, moved) = handles::interact(ui, plane, id, handle, snap);
             if let Some(to) = moved.filter(|to| *to != handle.at) {
-                open.lab.drag(open.document, index, to);
+                match solid {
+                    Some((orbit, solid)) => {
+                        let free = ui.input(|input| input.modifiers.alt);
+                        let snap = if free { Snap::Off } else { open.view.snap };
+                        let how = (response.dragged(), snap);
+                        let to = self.outside.moved(&orbit, &solid[index], to, how);
+                        open.lab.drag_solid(open.document, index, to);
+                    }
+                    None => open.lab.drag(open.document, index, to),
+                }
                 // The run is behind by one edit; the next frame shows it.
                 ui.ctx().request_repaint();
             }
             shown.push((response, handle));
         }
         self.dragging = shown.iter().any(|(response, _)| response.dragged());
+        if !self.dragging {
+            self.outside.released();
+        }
         shown
     }
 
@@ -222,42 +260,27 @@ impl Canvas {
         }
     }
 
-    fn figure(&mut self, drawing: Drawing<'_>, placement: Placement, size: Vec2, face: &Face<'_>) -> &Figure {
+    fn figure(
+        &mut self,
+        drawing: Drawing<'_>,
+        camera: Option<Orbit>,
+        placement: Placement,
+        size: Vec2,
+        face: &Face<'_>,
+    ) -> &Figure {
         let theme = face.look.theme;
-        let key = (drawing.rev, placement, size, theme.name, self.dragging);
+        let key = (drawing.rev, placement, camera, size, theme.name, self.dragging);
         if self.figure.as_ref().is_none_or(|(old, ..)| *old != key) {
             self.drawn += 1;
             let view = View { grid: grid(drawing, placement), ..*drawing.view };
             // Labels stay where they are while something is dragged, so that they do not jump.
             let held = self.figure.take().filter(|_| self.dragging).map(|(_, _, places)| places);
             let (size, words) = ([size.x, size.y], (theme, face.words));
-            let (figure, places) =
-                layout::draw_held(drawing.marks, &view, &placement, size, words, held.as_ref());
+            let marks = space::seen(drawing.marks, drawing.vantage, camera.as_ref());
+            let (figure, places) = layout::draw_held(&marks, &view, &placement, size, words, held.as_ref());
             self.figure = Some((key, figure, places));
         }
         &self.figure.as_ref().expect("made above").1
-    }
-}
-
-/// Dragging turns the camera outside, with Shift or another button it moves; the wheel goes nearer.
-fn turn(ui: &Ui, rect: Rect, ground: &Response, view: &mut ViewState) {
-    let Some(orbit) = &mut view.orbit else { return };
-    let by = ground.drag_delta();
-    if ground.dragged() && by != Vec2::ZERO {
-        let half = rect.height().min(rect.width()) / 2.0;
-        let moves = ground.dragged_by(PointerButton::Secondary) || ui.input(|input| input.modifiers.shift);
-        *orbit = if moves {
-            orbit.moved([-by.x / half, by.y / half])
-        } else {
-            orbit.turned(-by.x * 0.008, by.y * 0.008)
-        };
-    }
-    if ground.hovered() {
-        let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
-        let factor = (scroll / 240.0).exp2() * pinch;
-        if factor != 1.0 {
-            *orbit = orbit.nearer(factor);
-        }
     }
 }
 
@@ -286,7 +309,7 @@ fn readout(
     drawing: Drawing<'_>,
     known: Option<&Hover>,
 ) -> Option<[u32; 2]> {
-    if drawing.rev.0 == Maker::Space {
+    if drawing.rev.0 == Maker::Space || drawing.vantage.is_some() {
         foot(ui, face, plane.rect, &face.say("ui-readout-space"));
         return None;
     }

@@ -8,6 +8,7 @@ pub(crate) mod inspector;
 pub(crate) mod keys;
 pub(crate) mod menu;
 pub(crate) mod notice;
+mod outside;
 pub(crate) mod palette;
 pub(crate) mod ribbon;
 pub(crate) mod timeline;

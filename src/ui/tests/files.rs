@@ -1,13 +1,15 @@
 use super::*;
 use crate::face::Command;
+use crate::opening::When;
 use crate::shell::notice::Notice;
 use rasterscope_core::scene::Scene;
 
 fn open(window: &mut Window, path: &str, bytes: &[u8]) {
+    let ctx = window.ctx.clone();
     let desk = window.state_mut();
     desk.platform.files.insert(path.to_owned(), bytes.to_owned());
     let Desk { app, platform } = desk;
-    app.as_mut().expect("made").open(path, platform);
+    app.as_mut().expect("made").open(&ctx, path, When::Later, platform);
     window.run();
 }
 
@@ -44,8 +46,9 @@ fn a_bad_file_says_what_is_wrong_and_the_document_stays() {
 #[test]
 fn a_missing_file_is_named() {
     let mut window = window(1280.0, 720.0);
+    let ctx = window.ctx.clone();
     let Desk { app, platform } = window.state_mut();
-    app.as_mut().expect("made").open("nowhere/scene.json", platform);
+    app.as_mut().expect("made").open(&ctx, "nowhere/scene.json", When::Later, platform);
     window.run();
     assert!(failure(&window).is_some_and(|text| text.contains("nowhere/scene.json")));
 }

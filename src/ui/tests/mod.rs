@@ -11,7 +11,7 @@ mod pictures;
 mod reach;
 mod source;
 
-use crate::{App, Platform, Purpose, theme};
+use crate::{App, Platform, Purpose, Reader, theme};
 use egui::{Rect, vec2};
 use egui_kittest::{Harness, kittest::Queryable as _};
 use painter::CpuPainter;
@@ -38,11 +38,9 @@ impl Memory {
 }
 
 impl Platform for Memory {
-    fn read(&mut self, path: &str) -> io::Result<Vec<u8>> {
-        self.files
-            .get(path)
-            .cloned()
-            .ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "there is no such file"))
+    fn reader(&mut self) -> Reader {
+        let files = self.files.clone();
+        Box::new(move |path| files.get(path).cloned().ok_or_else(|| io::ErrorKind::NotFound.into()))
     }
 
     fn write(&mut self, path: &str, bytes: &[u8]) -> io::Result<()> {

@@ -1,6 +1,7 @@
 //! The operations, one file each: how a case is read, what the oracle says of it.
 
 mod clip_line;
+mod clip_polygon;
 mod clip_triangle;
 mod coverage;
 mod depth;
@@ -24,8 +25,13 @@ pub(crate) struct Operation {
     pub(crate) code: fn(&[u32]) -> String,
 }
 
-pub(crate) const ALL: &[Operation] =
-    &[clip_line::OPERATION, clip_triangle::OPERATION, coverage::OPERATION, depth::OPERATION];
+pub(crate) const ALL: &[Operation] = &[
+    clip_line::OPERATION,
+    clip_polygon::OPERATION,
+    clip_triangle::OPERATION,
+    coverage::OPERATION,
+    depth::OPERATION,
+];
 
 /// What must be found wanting: the runner is tested with it.
 pub(crate) const FAULTY: Operation = clip_line::FAULTY;

@@ -1,12 +1,13 @@
 //! Polygons against a convex region, border by border.
 
 pub mod clip_space;
+pub mod clip_triangle;
 pub mod outline;
 pub mod sutherland_hodgman;
 
 pub use clip_space::{Corner, Origin, Polygon, clip_triangle};
 
-use crate::transform::DepthRange;
+use crate::{math::Real, transform::DepthRange};
 use serde::Serialize;
 
 /// A border of the visible part of clip space.
@@ -53,31 +54,45 @@ pub enum PlaneSet {
     All,
     /// Only [`Plane::Near`], as where the rasterizer does the rest.
     Near,
+    /// All six, but the sides stand farther apart by this power of two: what lies between is left to the
+    /// rasterizer.
+    Guard(u8),
 }
 
 impl PlaneSet {
-    /// Both sets, the default first.
-    pub const ALL: [Self; 2] = [Self::All, Self::Near];
+    /// The sets, the default first; the guard band with the factor 4.
+    pub const ALL: [Self; 3] = [Self::All, Self::Near, Self::Guard(2)];
+    /// The largest power of two of a guard band.
+    pub const MOST_GUARD: u8 = 16;
 
     /// The planes.
     pub fn planes(self) -> &'static [Plane] {
         match self {
-            Self::All => &Plane::ALL,
+            Self::All | Self::Guard(_) => &Plane::ALL,
             Self::Near => &[Plane::Near],
+        }
+    }
+
+    /// What w is multiplied by at the sides: a power of two, so that the product is exact and a rounded
+    /// corner on a side still fulfils its inequality.
+    pub fn guard(self) -> f32 {
+        match self {
+            Self::Guard(power) => (1_u32 << power.min(Self::MOST_GUARD)) as f32,
+            Self::All | Self::Near => 1.0,
         }
     }
 }
 
 /// The distance of a point of clip space from a plane as a sum of two terms; inside is `>= 0`.
 #[inline]
-fn distance_terms(plane: Plane, [x, y, z, w]: [f32; 4], range: DepthRange) -> [f32; 2] {
+fn distance_terms<R: Real>(plane: Plane, [x, y, z, w]: [R; 4], range: DepthRange) -> [R; 2] {
     match plane {
         Plane::Left => [w, x],
         Plane::Right => [w, -x],
         Plane::Bottom => [w, y],
         Plane::Top => [w, -y],
         Plane::Near => match range {
-            DepthRange::ZeroToOne => [z, 0.0],
+            DepthRange::ZeroToOne => [z, R::ZERO],
             DepthRange::MinusOneToOne => [w, z],
         },
         Plane::Far => [w, -z],

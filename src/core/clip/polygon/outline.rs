@@ -201,7 +201,9 @@ impl Given<'_> {
         }
         corners.truncate(kept);
         self.close(corners, tally, &mut dropped);
-        if corners.len() < 3 {
+        // Rounding can lay what is left on a border.
+        let flat = |axis: usize| corners.iter().all(|corner| corner.at[axis] == corners[0].at[axis]);
+        if corners.len() < 3 || flat(0) || flat(1) {
             clear(corners, &mut dropped);
         }
     }

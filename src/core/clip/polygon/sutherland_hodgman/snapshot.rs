@@ -62,7 +62,7 @@ impl Crack {
     /// How far apart the two are, in units of the last place of binary32.
     pub fn ulps(&self) -> u64 {
         let free = 1 - self.border.axis();
-        u64::from(ulps_between(self.ends[0][free], self.ends[1][free]))
+        ulps_between(self.ends[0][free], self.ends[1][free])
     }
 }
 

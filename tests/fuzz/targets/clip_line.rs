@@ -1,0 +1,4 @@
+//! `tests/mutate/operations/clip_line.rs` under libFuzzer.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|data: &[u8]| rasterscope_fuzz::check("clip-line", data));

@@ -1,8 +1,8 @@
 //! Liang-Barsky: laws, golden logs, the exact oracle, and the bits of Cohen-Sutherland.
 
 use crate::support::{
-    ARITHMETICS, Clipper, CohenSutherland, LiangBarsky, Random, bits, check_log, costs_what_it_says,
-    keeps_the_laws, line, rounding_fails, visible_part, window,
+    ARITHMETICS, Clipper, CohenSutherland, LiangBarsky, Random, any_line, bits, check_log,
+    costs_what_it_says, keeps_the_laws, rounding_fails, visible_part, window,
 };
 use rasterscope_core::{
     clip::line::{
@@ -78,7 +78,7 @@ fn parameters_are_correctly_rounded_and_nothing_is_divided_in_vain() {
     let mut random = Random::new(3);
     let (mut rejected, mut cut) = (0, [0; 3]);
     for _ in 0..40_000 {
-        let (segment, window) = line(&mut random);
+        let (segment, window) = any_line(&mut random);
         let (visible, events) = run(segment, &window, Arithmetic::Exact);
         let found = visible.map(|visible| (visible.segment, visible.t));
         assert_eq!(found, visible_part(segment, &window), "{segment:?} in {window:?}");
@@ -106,7 +106,7 @@ fn keeps_the_laws_in_every_arithmetic() {
 fn the_counter_counts_the_divisions() {
     let mut random = Random::new(7);
     for _ in 0..3_000 {
-        let (segment, window) = line(&mut random);
+        let (segment, window) = any_line(&mut random);
         for arithmetic in ARITHMETICS {
             let (visible, events) = run(segment, &window, arithmetic);
             assert!(visible.is_some() || divisions(&events) == 0, "{segment:?} in {arithmetic:?}");

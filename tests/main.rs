@@ -9,6 +9,7 @@ mod clip_triangle;
 mod cohen_sutherland;
 mod compare;
 mod compute;
+mod compute_lines;
 mod coverage;
 mod cyrus_beck;
 mod house;

@@ -1,8 +1,8 @@
 //! Midpoint subdivision: laws, golden logs, and that it never hangs.
 
 use crate::support::{
-    ARITHMETICS, Clipper, CohenSutherland, Midpoint, Random, check_log, costs_what_it_says, keeps_the_laws,
-    line, window,
+    ARITHMETICS, Clipper, CohenSutherland, Midpoint, Random, any_line, check_log, costs_what_it_says,
+    keeps_the_laws, window,
 };
 use rasterscope_core::{
     clip::line::{
@@ -64,7 +64,7 @@ fn no_search_takes_more_halvings_than_the_bound() {
         ([[-huge, 0.0], [tiny, tiny]], dot),
         ([[huge, huge], [-1.0, -tiny]], unit),
     ];
-    cases.extend((0..3_000).map(|_| line(&mut random)));
+    cases.extend((0..3_000).map(|_| any_line(&mut random)));
     let mut most = 0;
     for (segment, window) in cases {
         for arithmetic in ARITHMETICS {
@@ -96,7 +96,7 @@ fn rounded_arithmetic_misses_what_exact_arithmetic_finds() {
     let mut random = Random::new(11);
     let mut wrong = [0; 3];
     for _ in 0..10_000 {
-        let (segment, window) = line(&mut random);
+        let (segment, window) = any_line(&mut random);
         let right = CohenSutherland::clip(segment, &window).is_some();
         for (count, arithmetic) in wrong.iter_mut().zip(ARITHMETICS) {
             let mut events = Vec::new();

@@ -1,7 +1,7 @@
 //! Clipping a point: the closed window, in every arithmetic.
 
 use crate::support::{
-    Coverage, LINE_WINDOW, Random, check_golden, check_laws, counted, line, log_text, window,
+    ARITHMETICS, Coverage, LINE_WINDOW, Random, any_line, check_golden, check_laws, counted, log_text, window,
 };
 use rasterscope_core::{
     clip::{
@@ -9,13 +9,13 @@ use rasterscope_core::{
         point::{self, Event, Snapshot},
     },
     explain::{Explain, Operations},
-    math::Dyadic,
+    math::{Arithmetic, Dyadic},
 };
 
 #[track_caller]
 fn check(name: &str, at: Point) {
     let mut events: Vec<Event> = Vec::new();
-    point::clip_traced(at, &window(LINE_WINDOW), &mut events);
+    point::clip_traced(at, &window(LINE_WINDOW), Arithmetic::Exact, &mut events);
     check_golden(&format!("point_clipping/{name}"), &log_text(&events));
 }
 
@@ -55,7 +55,7 @@ fn keeps_the_laws_and_agrees_with_exact_numbers_in_every_arithmetic() {
     let mut coverage = Coverage::default();
     let mut seen = [0, 0];
     for round in 0..100_000 {
-        let ([at, _], window) = line(&mut random);
+        let ([at, _], window) = any_line(&mut random);
         let visible = point::is_visible(at, &window);
         let within = |axis: usize| {
             let [low, high] = window.sides(axis).map(Dyadic::from);
@@ -66,16 +66,16 @@ fn keeps_the_laws_and_agrees_with_exact_numbers_in_every_arithmetic() {
         if round % 20 != 0 {
             continue;
         }
+        let arithmetic = random.pick(&ARITHMETICS);
         let mut events: Vec<Event> = Vec::new();
-        let traced = point::clip_traced(at, &window, &mut events);
+        let traced = point::clip_traced(at, &window, arithmetic, &mut events);
         check_laws(
             (&Some(visible), &Some(traced)),
             &events,
-            |budget| point::play(at, window, budget),
+            |budget| point::play(at, window, arithmetic, budget),
             |state: &Snapshot| state.result(),
             &mut coverage,
         );
-        assert_eq!(point::clip_taught::<f64, _>(at, &window, &mut Vec::new()), visible);
         let (_, cost) =
             counted(|| point::clip_taught::<crate::support::Counted, _>(at, &window, &mut Vec::new()));
         let said = events.iter().map(Snapshot::operations).fold(Operations::NONE, |a, b| a + b);

@@ -1,6 +1,6 @@
 //! The line clipping algorithms behind one interface, and the tests that all of them pass.
 
-use super::{Coverage, LINE_WINDOW, Random, check_golden, check_laws, counted, line, log_text, window};
+use super::{Coverage, LINE_WINDOW, Random, any_line, check_golden, check_laws, counted, log_text, window};
 use rasterscope_core::{
     clip::line::{
         ConvexWindow, Mistakes, Segment, Window, cohen_sutherland, cyrus_beck, liang_barsky, midpoint,
@@ -134,7 +134,7 @@ pub(crate) fn keeps_the_laws<C: Clipper>(seed: u64, rounds: u32) {
     let mut random = Random::new(seed);
     let mut coverage = Coverage::default();
     for _ in 0..rounds {
-        let (segment, window) = line(&mut random);
+        let (segment, window) = any_line(&mut random);
         for arithmetic in ARITHMETICS {
             let fast = C::traced(segment, &window, arithmetic, &mut NoTrace);
             let mut events: Vec<EventOf<C>> = Vec::new();
@@ -155,7 +155,7 @@ pub(crate) fn keeps_the_laws<C: Clipper>(seed: u64, rounds: u32) {
 pub(crate) fn costs_what_it_says<C: Clipper>(seed: u64) {
     let mut random = Random::new(seed);
     for _ in 0..5_000 {
-        let (segment, window) = line(&mut random);
+        let (segment, window) = any_line(&mut random);
         let mut events: Vec<EventOf<C>> = Vec::new();
         let (_, counted) = counted(|| C::taught::<super::Counted, _>(segment, &window, &mut events));
         let mut said = Operations::NONE;
@@ -171,7 +171,7 @@ pub(crate) fn rounding_fails<C: Clipper>(seed: u64) {
     let mut random = Random::new(seed);
     let mut wrong = [0, 0];
     for _ in 0..20_000 {
-        let (segment, window) = line(&mut random);
+        let (segment, window) = any_line(&mut random);
         let exact = CohenSutherland::clip(segment, &window);
         for (count, arithmetic) in wrong.iter_mut().zip([Arithmetic::F32, Arithmetic::F64]) {
             *count += u32::from(C::traced(segment, &window, arithmetic, &mut NoTrace) != exact);

@@ -15,35 +15,35 @@ pub(crate) fn window(sides: [f32; 4]) -> Window {
 
 /// A random segment and window of one of several nasty families.
 pub(crate) fn line(random: &mut Random) -> (Segment, Window) {
-    let family = random.below(7);
+    let family = random.below(5);
     let mut side = || {
         let (a, b) = (random.grid(0, 5), random.grid(0, 5));
         [a.min(b), a.max(b)]
     };
     let [[xmin, xmax], [ymin, ymax]] = [side(), side()];
-    let window = window([xmin, ymin, xmax, ymax]);
-    if family == 5 {
-        return (through_a_corner(random, &window), window);
-    }
-    let mut coordinate = |axis: usize| {
-        let sides = window.sides(axis);
-        match family {
-            0 | 1 => random.grid(-3, 8),
-            2 => {
-                let border = random.pick(&sides);
-                random.near(border)
-            }
-            3 => random.any(),
-            // Nearly parallel to a border, at it or across the window.
-            6 if axis == 1 => {
-                let border = random.pick(&[sides[0], sides[1], 2.5]);
-                random.near(border)
-            }
-            _ => random.uniform(-1e3, 1e3),
+    let mut coordinate = |sides: [f32; 2]| match family {
+        0 | 1 => random.grid(-3, 8),
+        2 => {
+            let border = random.pick(&sides);
+            random.near(border)
         }
+        3 => random.any(),
+        _ => random.uniform(-1e3, 1e3),
     };
-    let mut point = || [coordinate(0), coordinate(1)];
-    ([point(), point()], window)
+    let mut point = || [coordinate([xmin, xmax]), coordinate([ymin, ymax])];
+    ([point(), point()], window([xmin, ymin, xmax, ymax]))
+}
+
+/// A random segment and window of any family: those of [`line`], lines through a corner or an ULP
+/// beside it, and lines nearly parallel to a border.
+pub(crate) fn any_line(random: &mut Random) -> (Segment, Window) {
+    let (segment, window) = line(random);
+    let segment = match random.below(7) {
+        0 => through_a_corner(random, &window),
+        1 => nearly_parallel(random, &window),
+        _ => segment,
+    };
+    (segment, window)
 }
 
 /// A segment through a corner of the window, or an ULP beside it; sometimes one that ends there.
@@ -58,6 +58,18 @@ fn through_a_corner(random: &mut Random, window: &Window) -> Segment {
         segment[end][axis] = random.near(segment[end][axis]);
     }
     segment
+}
+
+/// A segment that runs nearly along a border, or right across the window.
+fn nearly_parallel(random: &mut Random, window: &Window) -> Segment {
+    let axis = random.pick(&[0_usize, 1]);
+    let [low, high] = window.sides(axis);
+    let at = random.pick(&[low, high, low / 2.0 + high / 2.0]);
+    [0, 1].map(|_| {
+        let mut end = [random.uniform(-1e3, 1e3); 2];
+        end[axis] = random.near(at);
+        end
+    })
 }
 
 /// Parametric clipping in rational numbers: the exact interval of visible parameters, and the ends

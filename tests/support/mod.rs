@@ -18,7 +18,7 @@ pub(crate) use convex::{convex, visible_part_of};
 pub(crate) use counted::{Counted, counted};
 pub(crate) use golden::{check_golden, log_text};
 pub(crate) use laws::{Coverage, check_laws};
-pub(crate) use lines::{LINE_WINDOW, line, visible_part, window};
+pub(crate) use lines::{LINE_WINDOW, any_line, line, visible_part, window};
 pub(crate) use polygons::{Exact, check_corners, convex_part, exact, hull, place, polygon, turn, winding};
 pub(crate) use random::Random;
 pub(crate) use triangles::{areas, covered, plane_value, triangle};

@@ -10,7 +10,7 @@ pub use explain::Snapshot;
 
 use super::line::{Border, Outcode, Point, Window};
 use crate::{
-    math::Real,
+    math::{Arithmetic, Real},
     replay::{Budget, Player},
     trace::{NoTrace, Tracer},
 };
@@ -36,19 +36,28 @@ const _: () = assert!(size_of::<Event>() <= 16);
 /// Whether a point of finite coordinates lies in the closed window: on a border it does. Exact in
 /// every arithmetic, since it only compares.
 pub fn is_visible(point: Point, window: &Window) -> bool {
-    clip_traced(point, window, &mut NoTrace)
+    clip_traced(point, window, Arithmetic::Exact, &mut NoTrace)
 }
 
 /// [`is_visible`] as a run that can be scrubbed.
-pub fn play(point: Point, window: Window, budget: Budget) -> Player<Snapshot> {
+pub fn play(point: Point, window: Window, arithmetic: Arithmetic, budget: Budget) -> Player<Snapshot> {
     Player::new(Snapshot::new(point, window), budget, move |t| {
-        clip_traced(point, &window, t);
+        clip_traced(point, &window, arithmetic, t);
     })
 }
 
 /// The algorithm: [`is_visible`] and [`play`] are this with two tracers.
-pub fn clip_traced<T: Tracer<Event>>(point: Point, window: &Window, t: &mut T) -> bool {
-    clip_taught::<f32, T>(point, window, t)
+pub fn clip_traced<T: Tracer<Event>>(
+    point: Point,
+    window: &Window,
+    arithmetic: Arithmetic,
+    t: &mut T,
+) -> bool {
+    match arithmetic {
+        // The given numbers are binary32, so that nothing is rounded before it is compared.
+        Arithmetic::Exact | Arithmetic::Fixed8 | Arithmetic::F32 => clip_taught::<f32, T>(point, window, t),
+        Arithmetic::F64 => clip_taught::<f64, T>(point, window, t),
+    }
 }
 
 /// The algorithm in any arithmetic: all give the same answer.

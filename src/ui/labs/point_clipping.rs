@@ -2,7 +2,7 @@
 
 use super::{
     Handle, Kind, Lab, Outcome,
-    clip_line::{drag_window, kept, window_fields, window_handles},
+    clip_line::{conventions, drag_window, kept, window_fields, window_handles},
 };
 use crate::{
     document::{Document, ViewState},
@@ -26,18 +26,18 @@ impl Lab for PointClipping {
     }
 
     fn controls(&self, ui: &mut Ui, face: &Face<'_>, document: &mut Document, view: &mut ViewState) {
-        let LabInput::ClipPoint(labs::ClipPoint { window, point: [x, y] }) = document.input_mut() else {
+        let LabInput::ClipPoint(labs::ClipPoint { window, point: [x, y], arithmetic }) = document.input_mut()
+        else {
             return;
         };
-        heading(ui, face, &face.say("ui-conventions"));
-        choices::snapping(ui, face, view);
+        conventions(ui, face, arithmetic, view);
         heading(ui, face, &face.say("ui-point-and-window"));
         choices::fields(ui, face, "P", [x, y]);
         window_fields(ui, face, window);
     }
 
     fn handles(&self, document: &Document) -> Vec<Handle> {
-        let LabInput::ClipPoint(labs::ClipPoint { window, point }) = document.input() else {
+        let LabInput::ClipPoint(labs::ClipPoint { window, point, .. }) = document.input() else {
             return Vec::new();
         };
         let point = Handle { name: "P".to_owned(), at: *point, kind: Kind::Point };
@@ -50,7 +50,7 @@ impl Lab for PointClipping {
     }
 
     fn drag(&self, document: &mut Document, handle: usize, to: [f32; 2]) {
-        let LabInput::ClipPoint(labs::ClipPoint { window, point }) = document.input_mut() else { return };
+        let LabInput::ClipPoint(labs::ClipPoint { window, point, .. }) = document.input_mut() else { return };
         if drag_window(window, handle, to).is_err() {
             *point = to;
         }

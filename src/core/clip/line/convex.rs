@@ -78,10 +78,13 @@ impl ConvexWindow {
                 turn = if side.is_zero() { turn } else { side };
             }
         }
-        match turn {
-            Sign::Zero => return Err(Flaw::NoArea),
-            Sign::Negative => edges.iter_mut().for_each(|edge| edge.reverse()),
-            Sign::Positive => {}
+        if turn.is_zero() {
+            return Err(Flaw::NoArea);
+        }
+        if turn.is_negative() {
+            for edge in &mut edges {
+                edge.reverse();
+            }
         }
         Ok(Self { corners: corners.to_vec(), edges })
     }

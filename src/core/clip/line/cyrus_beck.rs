@@ -14,7 +14,7 @@ mod explain;
 mod forms;
 mod formulas;
 
-pub use super::{Course, Parameter, Visible};
+pub use super::{Course, Parameter, Quotient, Visible};
 pub use explain::Snapshot;
 
 use super::{ConvexWindow, End, Point, Segment};
@@ -53,7 +53,7 @@ pub enum Event {
         /// The edge.
         edge: Edge,
         /// -w.n / D.n.
-        t: f32,
+        t: Quotient,
     },
     /// The entry was compared with tE.
     Enter {
@@ -162,7 +162,7 @@ fn run<F: Form, T: Tracer<Event>>(mut line: F, t: &mut T) -> Option<Visible> {
             continue;
         }
         let at = line.divide(edge);
-        t.emit(|| Event::Divide { edge, t: at });
+        t.emit(|| Event::Divide { edge, t: Quotient(at) });
         if course == Course::Enters {
             let later = line.order(here, enter) == Sign::Positive;
             t.emit(|| Event::Enter { edge, later });

@@ -20,7 +20,7 @@ pub(in crate::clip) mod subject;
 
 pub use convex::{ConvexWindow, Flaw};
 pub use mistake::{Mistake, Mistakes};
-pub use parametric::{Course, Parameter, Visible};
+pub use parametric::{Course, Parameter, Quotient, Visible};
 
 use crate::{
     explain::{Piece, View},

@@ -6,6 +6,7 @@ use crate::{
     message::Value,
 };
 use serde::Serialize;
+use std::fmt;
 
 /// What the line does at a border.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -63,6 +64,23 @@ impl<B> Parameter<B> {
 #[inline]
 pub(super) fn difference<R: PartialOrd>(a: R, b: R) -> Sign {
     a.partial_cmp(&b).map_or(Sign::Zero, Sign::from)
+}
+
+/// A quotient, compared by its bits: rounded arithmetic can divide zero by zero.
+#[derive(Clone, Copy, Serialize)]
+#[serde(transparent)]
+pub struct Quotient(pub f32);
+
+impl PartialEq for Quotient {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.to_bits() == other.0.to_bits()
+    }
+}
+
+impl fmt::Debug for Quotient {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(&self.0, f)
+    }
 }
 
 /// The visible part of a segment.

@@ -1,6 +1,6 @@
 //! What the lab shows of a Cyrus-Beck run.
 
-use super::{Course, Edge, Event, Parameter, Visible};
+use super::{Course, Edge, Event, Parameter, Quotient, Visible};
 use crate::{
     clip::line::{
         ConvexWindow, End, Segment,
@@ -13,16 +13,6 @@ use crate::{
     message::{Message, Value},
     replay::State,
 };
-
-/// A quotient, compared by its bits: rounded arithmetic can divide zero by zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Quotient(u32);
-
-impl Quotient {
-    fn get(self) -> f32 {
-        f32::from_bits(self.0)
-    }
-}
 
 /// What the user sees between two events: the fold of the events so far.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,7 +63,7 @@ impl Snapshot {
 
     fn bound(&mut self, end: End, edge: Edge) {
         self.parameters[end as usize] = Parameter::At(edge);
-        self.bounds[end as usize] = self.edges[usize::from(edge)].1.map_or(0.0, Quotient::get);
+        self.bounds[end as usize] = self.edges[usize::from(edge)].1.map_or(0.0, |t| t.0);
     }
 }
 
@@ -90,7 +80,7 @@ impl State for Snapshot {
             }
             Event::Divide { edge, t } => {
                 self.divisions += 1;
-                self.edges[usize::from(edge)].1 = Some(Quotient(t.to_bits()));
+                self.edges[usize::from(edge)].1 = Some(t);
             }
             Event::Enter { edge, later: true } => self.bound(End::P1, edge),
             Event::Leave { edge, earlier: true } => self.bound(End::P2, edge),
@@ -187,7 +177,7 @@ impl Explain for Snapshot {
             ),
             Event::Along { edge, outside: true } => about("cyrus-beck-along-outside", edge),
             Event::Along { edge, .. } => about("cyrus-beck-along-inside", edge),
-            Event::Divide { edge, t } => about("cyrus-beck-divide", edge).with("t", t),
+            Event::Divide { edge, t } => about("cyrus-beck-divide", edge).with("t", t.0),
             Event::Enter { edge, later: true } => about("cyrus-beck-enter-later", edge),
             Event::Enter { edge, .. } => about("cyrus-beck-enter-earlier", edge).with("bound", at(End::P1)),
             Event::Leave { edge, earlier: true } => about("cyrus-beck-leave-earlier", edge),
@@ -207,7 +197,7 @@ impl Explain for Snapshot {
     fn formulas(&self, event: &Event, out: &mut Vec<Formula>) {
         match *event {
             Event::Measure { edge, .. } => out.extend(self.measurement(edge)),
-            Event::Divide { edge, t } => out.push(self.division(edge, t)),
+            Event::Divide { edge, t } => out.push(self.division(edge, t.0)),
             Event::Cut { end, to, .. } => out.extend(self.cut(end, to)),
             _ => {}
         }
@@ -226,7 +216,7 @@ impl Explain for Snapshot {
                 Some(false) => Some(Role::Rejected),
                 _ => Some(Role::Accepted),
             };
-            let row = Row::new(name(edge), vec![speed, distance, t.map(Quotient::get).into(), there]);
+            let row = Row::new(name(edge), vec![speed, distance, t.map(|t| t.0).into(), there]);
             row.active(self.now == Some(edge)).role(role)
         });
         out.push(Table {
@@ -299,7 +289,7 @@ impl Snapshot {
         let View { min, max, .. } = self.view();
         for (edge, (course, t)) in (0..).zip(&self.edges) {
             let (Some(course), Some(t)) = (course, t) else { continue };
-            let at = point_at(self.subject.original, f64::from(t.get()));
+            let at = point_at(self.subject.original, f64::from(t.0));
             let shown = (0..2).all(|axis| (min[axis]..=max[axis]).contains(&at[axis]));
             let bounding = |end: End| self.parameters[end as usize] == Parameter::At(edge);
             let replaced = |end: End| bounding(end) && self.subject.has_moved(end);

@@ -6,7 +6,7 @@ use rasterscope_core::{
         CompareFunction, DepthFormat, DepthState,
         z_buffer::{self, Event, Image, Settings, Snapshot, Triangle},
     },
-    explain::Level,
+    explain::{Level, Mark},
     math::{Arithmetic, Dyadic, Tally},
     message::Value,
     raster::Algorithm,
@@ -144,4 +144,25 @@ fn keeps_the_laws() {
         );
     }
     coverage.check_every_line::<Snapshot>();
+}
+
+#[test]
+fn many_pixels_are_drawn_in_runs() {
+    let settings = Settings::new([300, 300]);
+    let large = [[0.0, 0.0, 0.5], [600.0, 0.0, 0.5], [0.0, 600.0, 0.5]];
+    let small = [[10.0, 10.0, 0.25], [20.0, 10.0, 0.25], [10.0, 20.0, 0.25]];
+    let mut player = z_buffer::play(vec![large, small], Vec::new(), settings, Budget::default());
+    player.seek(player.len());
+    let mut shown = vec![None; 300 * 300];
+    let marks = player.marks();
+    assert!(marks.len() < 400, "{}", marks.len());
+    for mark in marks {
+        if let Mark::Run { y, begin, end, object, .. } = mark {
+            (begin..end).for_each(|x| shown[(300 * y + x) as usize] = object);
+        }
+    }
+    let image = player.state().result();
+    let owners =
+        (0..300).flat_map(|y| (0..300).map(move |x| image.owner([x, y]).map(|owner| owner as usize)));
+    assert!(owners.eq(shown), "the runs are the image");
 }

@@ -141,6 +141,15 @@ pub enum Mark {
         /// Plate at its middle.
         label: Option<Label>,
     },
+    /// A line through points that is not closed, dashed and coloured by its role as one line.
+    Curve {
+        /// In order.
+        points: Vec<[f32; 2]>,
+        /// What it means.
+        role: Role,
+        /// Plate at its middle.
+        label: Option<Label>,
+    },
     /// A line right through the picture, parallel to an axis.
     Guide {
         /// 0: `x = at`, 1: `y = at`.
@@ -198,6 +207,28 @@ pub enum Mark {
         /// In the size of region codes.
         big: bool,
     },
+    /// What a sign means in this drawing: an entry of the legend at its foot.
+    Key {
+        /// The role whose sign it is.
+        role: Role,
+        /// The role's line or its marker.
+        sign: Sign,
+        /// What it means here.
+        meaning: Message,
+    },
+    /// Equal pixels of a row, where there are more than [`MOST_PIXELS`] for a mark each.
+    Run {
+        /// The row.
+        y: i32,
+        /// First column.
+        begin: i32,
+        /// One past the last column.
+        end: i32,
+        /// What they mean.
+        role: Role,
+        /// Index of the object that they belong to.
+        object: Option<usize>,
+    },
     /// A picture whose pixel (0, 0) covers the cell `0..1`, `0..1`.
     Image {
         /// Width and height in pixels.
@@ -208,6 +239,19 @@ pub enum Mark {
     /// Geometry in space, for a lab that has a [`Vantage`]: seen through the camera outside.
     Space(Solid),
 }
+
+/// By what a role is recognised.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// Its marker.
+    Marker,
+    /// Its line.
+    Line,
+}
+
+/// More pixels than these stand in [`Mark::Run`]s: a mark each would take longer than a frame, and
+/// they are too small to show a value.
+pub const MOST_PIXELS: usize = 1 << 15;
 
 /// What part of the plane an algorithm is about, and how it is laid out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -326,6 +370,11 @@ pub trait Explain: State {
     fn operations(event: &Self::Event) -> Operations;
     /// Its mark on the timeline, if it deserves one.
     fn marker(event: &Self::Event) -> Option<Marker>;
+    /// The name below `event`'s marker. It may name something of the run's input, which every state
+    /// of the run knows; `self` is any of them.
+    fn caption(&self, event: &Self::Event) -> Option<Message> {
+        Self::marker(event)?.label.map(Message::new)
+    }
     /// What is about to happen: the sentence of step 0.
     fn opening(&self) -> Message;
     /// What `event` did; `self` is the state after it.

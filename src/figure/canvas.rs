@@ -191,6 +191,12 @@ impl<'a> Canvas<'a> {
         self.text(Layer::Text, rect.center(), text);
     }
 
+    /// Bare canvas under what stands over the drawing.
+    pub(crate) fn ground(&mut self, rect: Rect) {
+        let fill = self.theme.canvas.alpha(0.9);
+        self.push(Layer::Plate, Self::rect_shape(rect, 3.0, Some(fill), None));
+    }
+
     /// A plate in the colour of an object, with its name.
     pub(crate) fn object_plate(&mut self, rect: Rect, object: usize, text: TextStyle<'_>) {
         let stroke = Stroke::solid(self.theme.text, 1.5 + self.theme.extra_stroke * 0.5);

@@ -73,7 +73,7 @@ impl Cells {
                     cells.spans.insert(*y, *ends);
                     cells.lit.rows.insert((*y).into());
                 }
-                Mark::Image { .. } => cells.pictured = true,
+                Mark::Image { .. } | Mark::Run { .. } => cells.pictured = true,
                 Mark::Guide { axis, at, role: Role::Active, .. } => {
                     let lit = if *axis == 0 { &mut cells.lit.columns } else { &mut cells.lit.rows };
                     lit.insert(at.floor() as i64);
@@ -257,6 +257,21 @@ fn fill(canvas: &mut Canvas<'_>, rect: Rect, role: Role, object: Option<usize>, 
         _ => {}
     }
     ground
+}
+
+/// Draws equal pixels of a row, from the first to the one before the last.
+pub(crate) fn cells_of_row(
+    canvas: &mut Canvas<'_>,
+    y: i32,
+    [begin, end]: [i32; 2],
+    role: Role,
+    object: Option<usize>,
+) {
+    if begin < end
+        && let Some(rect) = cell_rect(canvas, [begin, y], [end.saturating_sub(begin), 1])
+    {
+        fill(canvas, rect, role, object, false);
+    }
 }
 
 /// Fills a cell; equal neighbours in a row become one rectangle.

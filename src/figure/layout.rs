@@ -16,7 +16,7 @@ use crate::{
     geometry::{Rect, centroid, distance, mix},
     grid,
     labels::{self, Anchor, Wish},
-    markers,
+    legend, markers,
     theme::Theme,
     words::Words,
 };
@@ -67,6 +67,9 @@ pub fn draw_held(
             Mark::Segment { ends, role, label } => {
                 wish(segment(&mut canvas, *ends, *role), label.clone(), *role);
             }
+            Mark::Curve { points, role, label } => {
+                wish(curve(&mut canvas, points, *role), label.clone(), *role);
+            }
             Mark::Guide { axis, at, role, label, note } => {
                 let axis = usize::from(*axis != 0);
                 if guide(&mut canvas, view, axis, *at, *role, label).is_some()
@@ -86,14 +89,19 @@ pub fn draw_held(
                 }
             }
             Mark::Pixel { .. } => cells.pixel(&mut canvas, index, mark),
+            Mark::Run { y, begin, end, role, object } => {
+                cells::cells_of_row(&mut canvas, *y, [*begin, *end], *role, *object);
+            }
             Mark::Span { y, ends, role } => cells.span(&mut canvas, *y, *ends, *role),
             Mark::Text { at, label, role, big } => text(&mut canvas, *at, label, *role, *big),
+            Mark::Key { .. } => {} // at the foot, when the rest has its place
             Mark::Image { size, rgba } => image(&mut canvas, *size, rgba),
             // Of no plane: `space::seen` turns it into marks that are.
             Mark::Space(_) => {}
         }
     }
     let places = labels::draw(&mut canvas, &wishes, held);
+    legend::draw(&mut canvas, marks);
     (canvas.finish(), places)
 }
 
@@ -127,6 +135,15 @@ fn segment(canvas: &mut Canvas<'_>, ends: [[f32; 2]; 2], role: Role) -> Option<A
         canvas.kept_clear.push(Rect::around(middle, [14.0; 2]));
     }
     Some(Anchor::Segment(visible))
+}
+
+/// `None` if its middle is off the canvas.
+fn curve(canvas: &mut Canvas<'_>, points: &[[f32; 2]], role: Role) -> Option<Anchor> {
+    let points: Option<Vec<_>> = points.iter().map(|p| canvas.points(*p)).collect();
+    let points = points?;
+    canvas.role_line(&points, false, role);
+    let middle = points.len() / 2;
+    Some(Anchor::Segment(canvas.rect.clip([*points.get(middle.checked_sub(1)?)?, points[middle]])?))
 }
 
 /// `None` if the line is off the canvas.

@@ -16,6 +16,7 @@ mod tokens;
 
 pub mod figure;
 pub mod geometry;
+pub mod glossary;
 pub mod markers;
 pub mod placement;
 pub mod text;
@@ -26,6 +27,7 @@ mod grid;
 mod interior;
 mod labels;
 pub mod layout;
+mod legend;
 pub mod orbit;
 pub mod space;
 

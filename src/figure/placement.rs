@@ -5,6 +5,9 @@ use rasterscope_core::explain::{Grid, View};
 /// Room for the rulers at the left and upper side of a pixel grid, in points.
 pub const RULER: f64 = 34.0;
 
+/// Room at the foot of a pixel grid, for its legend and for what is read there, in points.
+pub const FOOT: f64 = 22.0;
+
 /// A map between scene units and points (y down), without rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
@@ -19,12 +22,14 @@ pub struct Placement {
 impl Placement {
     /// Shows all of `view` in the middle of a canvas of `size`, `inset` points from its sides.
     ///
-    /// Pixel grids get room for their rulers and, from four points a pixel on, a whole number of
+    /// Pixel grids get room for their rulers, for a line at their foot and, from four points a pixel on, a whole number of
     /// points for each. A view without extent, or not finite, is shown as one unit.
     pub fn fit(view: &View, size: [f32; 2], inset: f32) -> Self {
         let pixels = view.grid == Grid::Pixels;
         let first = f64::from(inset) + if pixels { RULER } else { 0.0 };
-        let room = size.map(|extent| (f64::from(extent) - first - f64::from(inset)).max(1.0));
+        let last = [0.0, if pixels { FOOT } else { 0.0 }];
+        let room =
+            [0, 1].map(|axis| (f64::from(size[axis]) - first - f64::from(inset) - last[axis]).max(1.0));
         let span = [0, 1].map(|axis| {
             let span = f64::from(view.max[axis]) - f64::from(view.min[axis]);
             if span.is_finite() && span > 0.0 { span } else { 1.0 }

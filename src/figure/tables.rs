@@ -19,6 +19,8 @@ pub struct TextTable {
     pub title: String,
     /// Headings of the columns.
     pub columns: Vec<String>,
+    /// What its title means, then what each heading means, where the glossary has it.
+    pub meanings: Vec<Option<String>>,
     /// Rows in order.
     pub rows: Vec<TextRow>,
 }
@@ -86,8 +88,14 @@ fn one(table: &Table, before: &[Table], words: &Words) -> TextTable {
     TextTable {
         title: words.word(table.title),
         columns: table.columns.iter().map(|&heading| self::heading(heading, words)).collect(),
+        meanings: meanings(table.title, &table.columns, words),
         rows,
     }
+}
+
+/// What a title means, then what each heading means.
+pub fn meanings(title: &str, columns: &[&str], words: &Words) -> Vec<Option<String>> {
+    std::iter::once(&title).chain(columns).map(|term| words.meaning(term)).collect()
 }
 
 /// The row of `old` with the name of `row`: the n-th if `row` is the n-th of that name.
@@ -124,7 +132,7 @@ fn cell(value: &Value, heading: &str, format: ColumnFormat, words: &Words) -> St
 fn exact(value: &Value, words: &Words) -> String {
     let x = match value {
         Value::None => return words.word("figure-undefined"),
-        Value::Word(id) => return words.word(id),
+        Value::Word(id) => return words.meaning(id).unwrap_or_else(|| words.word(id)),
         Value::F32(x) => f64::from(*x),
         Value::F64(x) => *x,
         _ => 0.0,

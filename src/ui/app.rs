@@ -7,13 +7,18 @@ use crate::{
     film::Film,
     keeping::Kept,
     labs::{self, Lab},
+    link::Links,
     opening::Opening,
     overview::Overview,
     paint::Textures,
     platform::{Platform, Purpose},
     presets::{self, Names, PresetInfo},
     run::Run,
-    shell::{canvas::Canvas, inspector::Digest, notice::Notice},
+    shell::{
+        canvas::Canvas,
+        inspector::Digest,
+        notice::{Beyond, Notice},
+    },
     theme::{self, Look},
 };
 use egui::{Context, Ui};
@@ -43,6 +48,10 @@ pub struct App {
     /// The preset that was opened, and what it was; no longer chosen once something is edited.
     pub(crate) preset: Option<(&'static str, Scene)>,
     pub(crate) notice: Option<Notice>,
+    /// What the pointer is on.
+    pub(crate) links: Links,
+    /// What of the scene cannot be drawn as it is.
+    beyond: Beyond,
     /// The file that is being opened.
     pub(crate) opening: Option<Opening>,
     /// The animated picture that is being made.
@@ -51,6 +60,8 @@ pub struct App {
     pub(crate) path: Option<String>,
     /// The document as it was opened or saved; `None`: its edits are in no file.
     pub(crate) clean: Option<Document>,
+    /// Whether nothing was kept: this is the first start.
+    pub(crate) first: bool,
     /// What was kept for the next start.
     pub(crate) kept: Kept,
     /// What to do once the document is saved.
@@ -87,10 +98,13 @@ impl App {
             names,
             preset: None,
             notice: None,
+            links: Links::default(),
+            beyond: Beyond::default(),
             opening: None,
             film: None,
             path: None,
             clean: None,
+            first: false,
             kept: Kept::default(),
             then: None,
             quitting: false,
@@ -129,6 +143,10 @@ impl App {
             return;
         }
         self.update(&ctx, platform);
+        self.offer(&ctx);
+        self.beyond.tell(self.evaluation.beyond(), &mut self.notice, &self.words);
+        self.view.aids.apply(&ctx);
+        self.view.recent.note(self.labs[self.lab()].name());
 
         self.history.begin(&self.document);
         let commands = RefCell::default();
@@ -139,7 +157,7 @@ impl App {
         crate::shell::keys::keep_arrows(&ctx);
 
         let commands = commands.into_inner();
-        if edited || !commands.is_empty() {
+        if self.links.end_frame() || edited || !commands.is_empty() {
             ctx.request_repaint();
         }
         self.execute(&ctx, commands, platform);

@@ -7,12 +7,12 @@ use crate::{
     files,
     opening::When,
     platform::{Platform, Purpose},
+    recent,
     shell::notice::Notice,
     theme::Look,
 };
 use egui::Context;
 use rasterscope_core::{
-    labs as core_labs,
     message::{Message, Value},
     scene,
 };
@@ -51,21 +51,29 @@ impl App {
                 self.wear(ctx, ThemeName::ALL[(at + 1) % ThemeName::ALL.len()]);
             }
             Command::Theme(theme) => self.wear(ctx, theme),
-            Command::TextSize(size) => ctx.set_zoom_factor(size),
+            Command::TextSize(size) => {
+                ctx.set_zoom_factor(size);
+                self.notice.take_if(|notice| *notice == Notice::Large);
+            }
             Command::Bigger => resize(ctx, 1),
             Command::Smaller => resize(ctx, -1),
             Command::Palette => self.view.palette = self.view.palette.is_none().then(Palette::default),
             Command::Keys => self.view.keys = !self.view.keys,
             Command::Choices => self.view.choices = !self.view.choices,
+            Command::Hints => self.view.aids.hints = !self.view.aids.hints,
+            Command::Exact => self.view.aids.exact = !self.view.aids.exact,
+            Command::Still => self.view.aids.still = !self.view.aids.still,
             Command::Fit => {
                 self.canvas.fit();
                 self.view.orbit = None;
                 self.view.outside = None;
             }
             Command::Escape => self.escape(ctx),
-            Command::Stage(stage) => {
-                let lab = core_labs::ALL.iter().find(|lab| lab.stage == stage);
-                self.open_lab(lab.map_or("pipeline", |lab| lab.name));
+            Command::Stage(stage) => self.open_lab(self.view.recent.at(stage).unwrap_or("pipeline")),
+            Command::Lab(name) => self.open_lab(name),
+            Command::Beside(by) => {
+                let next = recent::beside(self.labs[self.lab()].name(), by);
+                next.into_iter().for_each(|name| self.open_lab(name));
             }
             Command::Preset(name) => self.open_preset(name),
             Command::Open(path) => self.open(ctx, &path, When::Later, platform),

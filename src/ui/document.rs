@@ -1,5 +1,6 @@
 //! The document: what undo restores and a scene file holds; and the view, which is neither.
 
+use crate::{aids::Aids, recent::Recent};
 use rasterscope_core::{
     explain::Level,
     labs,
@@ -36,17 +37,21 @@ impl Document {
         &self.others
     }
 
+    /// The inputs of all labs that are or were open.
+    fn all(&self) -> impl Iterator<Item = &LabInput> {
+        std::iter::once(self.input()).chain(&self.others)
+    }
+
     /// Whether nothing was edited between the two; which lab is open is no edit.
     pub(crate) fn same_work(&self, clean: &Self) -> bool {
-        let known = |document: &Self, name: &str| {
-            let all = std::iter::once(document.input()).chain(&document.others);
-            all.into_iter().find(|input| input.name() == name).cloned()
-        };
+        let known = |document: &Self, name: &str| document.all().find(|input| input.name() == name).cloned();
         let same = |input: &LabInput| {
             let name = input.name();
+            let from_another = |other: &LabInput| other.carried(name).as_ref() == Some(input);
             known(clean, name).or_else(|| labs::default_input(name)).as_ref() == Some(input)
+                || clean.all().any(from_another)
         };
-        if !std::iter::once(self.input()).chain(&self.others).all(same) {
+        if !self.all().all(same) {
             return false;
         }
         self.scene.same_picture(&clean.scene)
@@ -62,15 +67,16 @@ impl Document {
         &mut self.scene.lab.get_or_insert(Lab::new(LabInput::PIPELINE)).input
     }
 
-    /// Opens another lab with the inputs it had, or with `first` at its first time.
-    pub(crate) fn open_lab(&mut self, name: &str, first: impl FnOnce() -> LabInput) {
+    /// Opens another lab: with the same inputs if it can have them, so that algorithms are seen on
+    /// one line, else with those it had, or with `first` at its first time.
+    pub(crate) fn open_lab(&mut self, name: &'static str, first: impl FnOnce() -> LabInput) {
         if self.input().name() == name {
             return;
         }
         let old = self.input().clone();
         self.others.retain(|other| other.name() != old.name());
         self.others.push(old);
-        let known = self.others.iter().find(|other| other.name() == name).cloned();
+        let known = self.others.iter().rev().find_map(|other| other.carried(name));
         self.scene.lab = Some(Lab::new(known.unwrap_or_else(first)));
     }
 }
@@ -170,6 +176,10 @@ pub(crate) struct ViewState {
     pub(crate) keys: bool,
     /// The command palette, while it is open.
     pub(crate) palette: Option<Palette>,
+    /// Which labs were open.
+    pub(crate) recent: Recent,
+    /// Hints, exact values, less motion.
+    pub(crate) aids: Aids,
 }
 
 /// The command palette, while it is open.
@@ -201,6 +211,8 @@ impl Default for ViewState {
             choices: false,
             keys: false,
             palette: None,
+            recent: Recent::default(),
+            aids: Aids::default(),
         }
     }
 }
@@ -235,6 +247,21 @@ mod tests {
         document.open_lab("pipeline", || LabInput::PIPELINE);
         document.open_lab("cohen-sutherland", || line(3.0));
         assert_eq!(document.input(), &line(2.0));
+    }
+
+    #[test]
+    fn algorithms_of_one_family_are_seen_on_one_input() {
+        let mut document = Document::new(Scene::empty([8, 8]));
+        let first = |name| labs::default_input(name).expect("a lab");
+        document.open_lab("cohen-sutherland", || first("cohen-sutherland"));
+        let LabInput::ClipLine(line) = document.input_mut() else { panic!("it clips a line") };
+        line.segment = [1.0, 2.0, 3.0, 4.0];
+        let edited = document.clone();
+        document.open_lab("pipeline", || LabInput::PIPELINE);
+        document.open_lab("liang-barsky", || first("liang-barsky"));
+        assert_eq!(document.input(), &edited.input().carried("liang-barsky").expect("one family"));
+        assert_eq!(document.input().carried("scanline"), None);
+        assert!(document.same_work(&edited), "that is no edit");
     }
 
     #[test]

@@ -12,7 +12,7 @@ use egui::Context;
 use rasterscope_core::{
     labs as core_labs,
     message::Message,
-    pipeline::{Pipeline, Skips},
+    pipeline::{Pipeline, Skips, out_of_range},
     replay::{Budget, Playback},
     scene::Scene,
 };
@@ -29,6 +29,8 @@ const PIXELS: usize = 64;
 pub(crate) struct Evaluation {
     /// The scene that the run is of, and why there is no run.
     ran: Option<(Scene, Option<Message>)>,
+    /// What of that scene cannot be drawn as it is.
+    beyond: Option<Message>,
     /// The step to go to once there is a run.
     step: Option<usize>,
     pending: Option<Pending>,
@@ -39,6 +41,8 @@ pub(crate) struct Evaluation {
 struct Pending {
     scene: Scene,
     skips: Skips,
+    /// Whether the image is computed, and not only the run.
+    image: bool,
     /// `None` if another document was opened meanwhile.
     wanted: Option<()>,
     task: Task<Evaluated>,
@@ -98,7 +102,7 @@ impl App {
         let behind = self.behind();
         let (scene, skips) = (self.document.scene.clone(), self.view.skips);
         let lent = if behind.image { self.overview.lend() } else { None };
-        let given = scene.clone();
+        let (given, image) = (scene.clone(), behind.image);
         let task = Task::start(platform, now, move |progress: &Progress| {
             let all = usize::from(lent.is_some()) + usize::from(behind.run);
             progress.tell(0, all);
@@ -106,11 +110,11 @@ impl App {
                 pipeline.update(&given, &skips);
                 pipeline
             });
-            progress.tell(all - usize::from(behind.run), all);
+            progress.tell(usize::from(pipeline.is_some()), all);
             let run = behind.run.then(|| core_labs::play(&given, Budget::default()));
             Evaluated { pipeline, run }
         });
-        self.evaluation.pending = Some(Pending { scene, skips, wanted: Some(()), task });
+        self.evaluation.pending = Some(Pending { scene, skips, image, wanted: Some(()), task });
     }
 
     /// Takes what was computed beside the window.
@@ -160,11 +164,13 @@ impl App {
         if opening.is_some() {
             return opening;
         }
-        let Some([done, all]) = self.evaluation.pending.as_ref().and_then(|each| each.task.progress(now))
+        let pending = self.evaluation.pending.as_ref();
+        let Some((pending, [done, all])) = pending.and_then(|each| Some((each, each.task.progress(now)?)))
         else {
             return self.filming(now);
         };
-        let text = self.words.word(if done + 1 < all { "ui-busy-image" } else { "ui-busy-run" });
+        let drawing = pending.image && done == 0;
+        let text = self.words.word(if drawing { "ui-busy-image" } else { "ui-busy-run" });
         Some(Busy { text, part: (done as f32 + 0.5) / all.max(1) as f32, stoppable: false })
     }
 }
@@ -184,7 +190,13 @@ impl Evaluation {
                 Some(problem)
             }
         };
+        self.beyond = out_of_range(&scene);
         self.ran = Some((scene, problem));
+    }
+
+    /// What of the scene cannot be drawn as it is: a product leaves the range of binary32.
+    pub(crate) fn beyond(&self) -> Option<&Message> {
+        self.beyond.as_ref()
     }
 }
 

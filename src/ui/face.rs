@@ -1,10 +1,11 @@
 //! What every panel is given: the look, the words, and a way to ask for something.
 
 use crate::{
+    link::Links,
     platform::Purpose,
     theme::{Look, Text},
 };
-use egui::RichText;
+use egui::{Response, RichText};
 use rasterscope_core::{
     explain::Level,
     labs::Stage,
@@ -48,12 +49,22 @@ pub(crate) enum Command {
     Keys,
     /// Show or hide the choices in a narrow window.
     Choices,
+    /// Show or hide the hints of the first start.
+    Hints,
+    /// Show every digit of the values, or as many as there is room for.
+    Exact,
+    /// Move nothing that need not move, or move it.
+    Still,
     /// Fit the drawing into the canvas.
     Fit,
     /// Close what lies over the canvas.
     Escape,
-    /// Open the lab of a stage, or the overview at that stage.
+    /// Open the lab of a stage that was open last, or the overview.
     Stage(Stage),
+    /// Open a lab.
+    Lab(&'static str),
+    /// Open the lab that is so many places on in its stage.
+    Beside(isize),
     /// Open a preset.
     Preset(&'static str),
     /// Open a file.
@@ -120,6 +131,10 @@ pub(crate) struct Face<'a> {
     pub(crate) words: &'a Words,
     /// What was asked for in this frame.
     pub(crate) commands: &'a RefCell<Vec<Command>>,
+    /// What the pointer is on.
+    pub(crate) links: &'a Links,
+    /// Whether tables show every digit.
+    pub(crate) exact: bool,
 }
 
 impl Face<'_> {
@@ -136,6 +151,14 @@ impl Face<'_> {
     /// The words of a message with one argument.
     pub(crate) fn say_with(&self, id: &'static str, name: &'static str, value: impl Into<Value>) -> String {
         self.words.message(&Message::new(id).with(name, value))
+    }
+
+    /// Lets a control say what the term of its label means, if the glossary has it.
+    pub(crate) fn explain(&self, response: Response, term: &str) -> Response {
+        match self.words.meaning(term) {
+            Some(meaning) => response.on_hover_text(meaning),
+            None => response,
+        }
     }
 
     /// Text in a style, in the text colour.

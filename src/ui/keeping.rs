@@ -8,7 +8,7 @@ use crate::{
     opening::When,
     platform::Platform,
     session::{Session, Settings},
-    shell::notice::Notice,
+    shell::{WIDEST, notice::Notice},
 };
 use egui::{Context, ViewportCommand};
 use rasterscope_core::{message::Message, scene};
@@ -37,6 +37,9 @@ impl App {
     /// Brings back what was kept at the last start, and opens a file if there is one.
     pub fn start(&mut self, ctx: &Context, file: Option<&str>, platform: &mut dyn Platform) {
         let session = platform.kept(SESSION).and_then(|bytes| Session::from_bytes(&bytes));
+        // Who has been here knows where to drag, and how large things are wanted.
+        self.first = session.is_none();
+        self.view.aids.hints = self.first;
         if let Some(session) = session {
             session.settings.apply(&mut self.view);
             self.wear(ctx, self.view.theme);
@@ -59,6 +62,14 @@ impl App {
     pub(crate) fn offer_aside(&mut self, platform: &mut dyn Platform) {
         if self.notice.is_none() && self.aside(platform).is_some() {
             self.notice = Some(Notice::Aside);
+        }
+    }
+
+    /// Offers bigger text at the first start in a large window: its size is known once it is shown.
+    pub(crate) fn offer(&mut self, ctx: &Context) {
+        if std::mem::take(&mut self.first) && self.notice.is_none() {
+            let large = ctx.content_rect().width() >= WIDEST && ctx.zoom_factor() == 1.0;
+            self.notice = large.then_some(Notice::Large);
         }
     }
 

@@ -7,6 +7,7 @@
 //! files, and time comes with egui's input.
 #![forbid(unsafe_code)]
 
+mod aids;
 mod app;
 mod commands;
 mod document;
@@ -17,12 +18,14 @@ mod files;
 mod film;
 mod keeping;
 mod labs;
+mod link;
 mod opening;
 mod overview;
 mod paint;
 mod panels;
 mod platform;
 mod presets;
+mod recent;
 mod run;
 mod session;
 mod shell;

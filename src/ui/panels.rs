@@ -5,15 +5,16 @@ use crate::{
     face::{Command, Face},
     labs::Open,
     shell::{
-        Frame, NARROW,
+        self, Frame, NARROW,
         canvas::{Drawing, Maker},
-        choices, header,
+        choices, header, hints,
         inspector::{self, Digest, Whole},
         keys, menu, notice, palette,
         ribbon::{self, Chip, Shape},
         timeline,
     },
     theme::Text,
+    widgets::rule,
 };
 use egui::{Align2, CentralPanel, Color32, Margin, Panel, Rect, Ui, UiBuilder, vec2};
 use rasterscope_core::labs as core_labs;
@@ -21,6 +22,10 @@ use std::{cell::RefCell, rc::Rc};
 
 /// Width of the choices where they are a panel, and on a projector.
 const CHOICES: [f32; 2] = [228.0, 280.0];
+/// Widths of the choices and the inspector in a wide window, where the canvas has enough all the same.
+const WIDE: [f32; 2] = [300.0, 480.0];
+/// Width of the inspector from which on the listing stands beside the step.
+const BESIDE: f32 = 640.0;
 /// Width of the choices where they lie over the canvas.
 const DRAWER: [f32; 2] = [260.0, 320.0];
 
@@ -28,14 +33,17 @@ impl App {
     /// Shows every panel of one frame.
     pub(crate) fn panels(&mut self, ui: &mut Ui, commands: &RefCell<Vec<Command>>) {
         let (look, words) = (Rc::clone(&self.look), Rc::clone(&self.words));
-        let face = Face { look: &look, words: &words, commands };
-        let narrow = ui.max_rect().width() < NARROW;
+        let links = std::mem::take(&mut self.links);
+        let face = Face { look: &look, words: &words, commands, links: &links, exact: self.view.aids.exact };
+        let whole = ui.max_rect().width();
+        let narrow = whole < NARROW;
         let presets = std::mem::take(&mut self.presets);
         let lab = self.lab();
         let name = self.labs[lab].name();
         let stage = core_labs::find(name).map_or(core_labs::Stage::Image, |lab| lab.stage);
         let frame = Frame {
             theme: self.view.theme,
+            aids: self.view.aids,
             can_undo: self.history.can_undo(),
             can_redo: self.history.can_redo(),
             narrow,
@@ -88,7 +96,11 @@ impl App {
             .show(ui, |ui| timeline::show(ui, &face, self.run.shown(), &self.view, busy.as_ref()));
         if !narrow {
             Panel::left("choices")
-                .exact_size(CHOICES[usize::from(look.projector())])
+                .exact_size(if whole < shell::WIDE {
+                    CHOICES[usize::from(look.projector())]
+                } else {
+                    WIDE[0]
+                })
                 .resizable(false)
                 .frame(plain(look.panel, Margin::symmetric(14, 12)))
                 .show(ui, |ui| {
@@ -96,6 +108,8 @@ impl App {
                 });
         }
         let width = match (narrow, look.projector()) {
+            _ if whole >= shell::WIDEST => BESIDE,
+            _ if whole >= shell::WIDE => WIDE[1],
             (false, false) if name == "transform" => 400.0,
             (true, true) => 372.0,
             (true, false) => 340.0,
@@ -115,7 +129,14 @@ impl App {
                 inspector::show(ui, &face, &frame, shown, digest, whole, &mut self.view);
             });
         CentralPanel::default().frame(plain(look.canvas, Margin::ZERO)).show(ui, |ui| {
-            let rect = ui.max_rect();
+            let mut rect = ui.max_rect();
+            if self.view.aids.hints {
+                let strip = rect.with_min_y(rect.bottom() - hints::height(&face));
+                rule(ui, strip.with_max_y(strip.top()), &look);
+                ui.painter().rect_filled(strip, 0, look.panel);
+                ui.scope_builder(UiBuilder::new().max_rect(strip), |ui| hints::show(ui, &face));
+                rect = rect.with_max_y(strip.top() - 1.0);
+            }
             ui.set_clip_rect(rect);
             if name == "pipeline" {
                 let head = rect.with_max_y(rect.top() + 42.0);
@@ -127,7 +148,8 @@ impl App {
                     self.canvas_panel(ui, &face, &frame, lab);
                 });
             } else {
-                self.canvas_panel(ui, &face, &frame, lab);
+                let builder = UiBuilder::new().max_rect(rect);
+                ui.scope_builder(builder, |ui| self.canvas_panel(ui, &face, &frame, lab));
             }
             if narrow && self.view.choices {
                 self.drawer(ui, &face, &frame, lab, rect);
@@ -140,6 +162,7 @@ impl App {
             palette::show(ui, &face, &frame, palette);
         }
         self.presets = presets;
+        self.links = links;
     }
 
     /// The chips, with what the open lab does in its own.

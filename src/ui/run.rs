@@ -21,6 +21,8 @@ pub(crate) struct Shown {
     pub(crate) view: View,
     pub(crate) vantage: Option<Vantage>,
     pub(crate) markers: Vec<(usize, Marker)>,
+    /// The names below the markers.
+    pub(crate) captions: Vec<(usize, Message)>,
     /// Moves whenever anything above may have changed.
     pub(crate) rev: u64,
 }
@@ -109,9 +111,9 @@ impl Run {
     fn refresh(&mut self, new: bool) {
         let Some(playback) = &mut self.playback else { return };
         self.rev += 1;
-        let markers = match self.shown.take() {
-            Some(shown) if !new => shown.markers,
-            _ => playback.markers(),
+        let (markers, captions) = match self.shown.take() {
+            Some(shown) if !new => (shown.markers, shown.captions),
+            _ => (playback.markers(), playback.captions()),
         };
         self.shown = Some(Shown {
             cursor: playback.cursor(),
@@ -126,6 +128,7 @@ impl Run {
             view: playback.view(),
             vantage: playback.vantage(),
             markers,
+            captions,
             rev: self.rev,
         });
     }

@@ -1,8 +1,10 @@
 //! What is kept from one start to the next: the work, and how it is looked at.
 
 use crate::{
+    aids::Aids,
     document::{Document, Snap, ViewState},
     files,
+    recent::Recent,
 };
 use rasterscope_core::{
     explain::Level,
@@ -76,6 +78,9 @@ pub(crate) struct Settings {
     speed: f32,
     snap: usize,
     outlines: bool,
+    /// Names of the labs that were open, oldest first.
+    recent: Vec<String>,
+    aids: Aids,
 }
 
 impl Default for Settings {
@@ -94,6 +99,8 @@ impl Settings {
             speed: view.speed,
             snap: Snap::ALL.iter().position(|snap| *snap == view.snap).unwrap_or(0),
             outlines: view.outlines,
+            recent: view.recent.names().iter().map(|name| (*name).to_owned()).collect(),
+            aids: view.aids,
         }
     }
 
@@ -106,6 +113,8 @@ impl Settings {
             view.speed = self.speed;
         }
         view.outlines = self.outlines;
+        view.aids = self.aids;
+        view.recent = Recent::of(self.recent.iter().map(String::as_str));
     }
 
     /// How much bigger than normal everything is.
@@ -149,6 +158,8 @@ mod tests {
             text_size: 1e9,
             theme: "pink".into(),
             outlines: true,
+            recent: vec!["no such lab".into()],
+            aids: Aids::default(),
         };
         odd.apply(&mut view);
         assert_eq!((view, odd.text_size()), (ViewState::default(), 1.0));

@@ -187,6 +187,12 @@ pub(crate) fn text_in(
     painter.galley(at, galley, color);
 }
 
+/// Text in as many lines as it needs, in the middle of a room's height.
+pub(crate) fn text_lines(painter: &Painter, room: Rect, text: &str, font: egui::FontId, color: Color32) {
+    let galley = painter.layout(text.to_owned(), font, color, room.width());
+    painter.galley(Align2::LEFT_CENTER.align_size_within_rect(galley.size(), room).min, galley, color);
+}
+
 /// A heading of a group.
 pub(crate) fn heading(ui: &mut Ui, face: &Face<'_>, text: &str) {
     ui.add_space(6.0);

@@ -89,8 +89,10 @@ back-face-conventions = Conventions
 column-back-face-setting = setting
 row-back-face-front = front
 row-back-face-cull = culled
-back-face-ccw = counter-clockwise
-back-face-cw = clockwise
-back-face-cull-none = nothing
-back-face-cull-back = back
-back-face-cull-front = front
+back-face-rule = s = 0 is
+back-face-rule-neither = neither side
+back-face-rule-back = the back
+back-face-rule-front = the front
+back-face-rule-as-taught = as each test is printed
+back-face-culled = culled
+back-face-kept = kept

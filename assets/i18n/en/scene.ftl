@@ -18,6 +18,7 @@ error-scene-kind-text = a text in quotes
 error-scene-kind-list = a list
 error-scene-kind-object = an object
 error-scene-length = { $path }: the list must have { $wanted } items; it has { $found }.
+error-scene-too-short = { $path }: the list must have at least { $least } items; it has { $found }.
 error-scene-missing = { $path }: this field is missing. Add it.
 error-scene-unknown-field = { $path }: this field does not belong here. The fields here are: { $known }.
 error-scene-unknown-name = { $path }: "{ $name }" is unknown. Use one of: { $known }.
@@ -46,7 +47,7 @@ error-scene-polygon-not-convex = { $path }: the window must be convex, and a cor
 error-scene-none-there = { $path }: there is none to choose from. Add one, or remove the lab.
 error-scene-no-setting = { $path }: name the one setting in which the two sides differ, such as {"{"}"fill_rule": "inclusive"{"}"}.
 error-scene-no-file-name = { $path }: this is no file name. Write the name of an OBJ file, such as "cube.obj".
-error-scene-draw-out-of-range = { $path }: its vertices leave the range of 32-bit floats (about 3.4e38) when transformed. Scale it down.
+error-scene-draw-out-of-range = { $path }: the vertices of { $name } leave the range of 32-bit floats (about 3.4e38) when transformed. Scale it down.
 error-scene-camera-out-of-range = { $path }: its matrices leave the range of 32-bit floats (about 3.4e38). Move it nearer, or make near, far, height and angle less extreme.
 error-scene-other = { $path }: this value cannot be used ({ $what }).
 error-scene-unreadable = { $path }: the model { $file } cannot be read ({ $reason }). Put it beside the scene or name a model that comes with the program.
@@ -267,6 +268,29 @@ preset-regions-through-a-corner = Both borders of the corner are crossed at once
 
 preset-regions-same-side-name = On the same side
 preset-regions-same-side = P2 lies beyond the border that P1 lies beyond. Three comparisons reject the line.
+preset-polygon-triangle-name = A triangle loses three corners
+preset-polygon-triangle = Every corner is outside, yet most of the triangle is visible. A corner of the window becomes a corner of the polygon.
+
+preset-polygon-e-shape-name = An E falls apart: bridges
+preset-polygon-e-shape = The back of the E is cut off and three bars are left. One outline must hold them all, so it runs along the border there and back.
+
+preset-polygon-star-name = A star that crosses itself
+preset-polygon-star = The four transitions do not care that edges cross. Around every point inside the window the outline winds as often as before.
+
+preset-polygon-around-name = Around the window
+preset-polygon-around = No corner is inside and no edge crosses the window. What is left is the window itself.
+
+preset-polygon-edge-on-border-name = An edge on a border
+preset-polygon-edge-on-border = Two corners lie exactly on the left border. The window is closed, so they are inside and nothing is computed for them.
+
+preset-polygon-touches-a-corner-name = Touches in a corner
+preset-polygon-touches-a-corner = One point is in the window. It has no area, so nothing is left.
+
+preset-polygon-crack-name = Neighbours with a crack (f32)
+preset-polygon-crack = Both polygons have the edge V0 V1, in opposite directions. Cut from whichever end comes first, rounding gives them different corners.
+
+preset-polygon-two-sides-name = Only two sides cut
+preset-polygon-two-sides = Right at the left and the bottom, wrong at the right and the top: two of the four sides were forgotten.
 
 preset-span-left-tie-name = One tie on a left edge
 preset-span-left-tie = In row 4 the left edge runs exactly through a pixel centre. A left edge draws it; a right edge would not.
@@ -330,3 +354,59 @@ preset-two-sides-rounding = Exactly, the line misses the corner by less than a m
 
 preset-two-sides-depth-range-name = Split: depth ranges
 preset-two-sides-depth-range = One vertex with depths 0 … 1 and −1 … 1. Clip space and NDC differ in z alone; on the screen both have the same depth.
+
+preset-clip-behind-and-right-name = Behind the eye and to the right
+preset-clip-behind-and-right = v1 lies behind the eye, v2 to the right. Two planes cut: near is not the first, yet the result is right.
+
+preset-clip-one-in-name = One in, two out
+preset-clip-one-in = One vertex is inside the right plane: two crossings, and a triangle is left.
+
+preset-clip-two-in-name = Two in, one out
+preset-clip-two-in = Two vertices are inside the right plane: two crossings, and a polygon of four corners is left. It needs two triangles.
+
+preset-clip-near-plane-name = Through the near plane
+preset-clip-near-plane = The nearest vertex is before the near plane, and still before the eye. Only the near plane cuts.
+
+preset-clip-divide-first-name = Mistake: divide first
+preset-clip-divide-first = v1 lies behind the eye. Divided by its negative w it comes out mirrored, and another triangle is clipped.
+
+preset-clip-w-zero-name = w = 0
+preset-clip-w-zero = v1 lies in the plane of the eye: its w is 0, and no division could place it. Clipping before the divide needs none.
+
+preset-clip-no-near-name = Mistake: no near plane
+preset-clip-no-near = The part between the near plane and the eye stays. After the divide its depths are outside 0 … 1.
+
+preset-clip-frustum-corner-name = An edge of the frustum
+preset-clip-frustum-corner = All vertices are outside, and the edge between top and right comes through the triangle. That corner is made by the triangle and two planes.
+
+preset-clip-guard-band-name = Guard band keeps it
+preset-clip-guard-band = The right plane stands four times as far out: the triangle reaches over the side of the image, and nothing is cut. The rasterizer does the rest.
+
+preset-clip-crack-name = Mistake: crack at an edge
+preset-clip-crack = In f32, each triangle computes the crossing from the end that it meets first. At the shared edge two results differ in the last place: a crack.
+
+preset-clip-no-attributes-name = Mistake: no attributes
+preset-clip-no-attributes = The new corners get a position but no u. The texture is right up to the cut and wrong beyond it.
+
+preset-clip-camera-space-name = In camera space
+preset-clip-camera-space = The same cut with points and normals: distances are (v − p) · n, and there is no fourth number.
+
+preset-clip-many-planes-name = Five planes cut
+preset-clip-many-planes = A large triangle reaches over all sides but one. Eight corners are left, and six triangles.
+preset-facing-front-name = Seen from the front
+preset-facing-front = All six tests see the front. Swap two vertices: then all six see the back.
+
+preset-facing-closed-surface-name = Closed surface: about half
+preset-facing-closed-surface = Of a closed surface the eye sees the front of about half of the triangles. Culling the others leaves half of the work.
+
+preset-facing-mirrored-name = Mirrored model
+preset-facing-mirrored = A scale of −1 turns every triangle round on its way. The test in object space comes too early to see that.
+
+preset-facing-behind-the-eye-name = One vertex behind the eye
+preset-facing-behind-the-eye = The divide mirrors what lies behind the eye. So the tests after the divide see the wrong side, and only they do.
+
+preset-facing-edge-on-name = Exactly edge-on
+preset-facing-edge-on = All six values are exactly 0. Some lectures call that a back, some a front; nothing is drawn either way.
+
+preset-facing-collinear-name = No area at all
+preset-facing-collinear = The three vertices lie on one line. All tests give 0, and the reason has a name.

@@ -37,6 +37,7 @@ transform-done = { $count ->
 
 transform-eye = eye
 transform-from-the-side = from the side
+transform-depth-against-distance = depth against distance
 transform-other-axis = the same for y
 transform-marker-behind = behind
 

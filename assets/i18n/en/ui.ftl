@@ -26,6 +26,19 @@ ui-theme-light = Light
 ui-theme-projector = Projector
 ui-text-percent = { $percent } %
 ui-help-keys = Keys
+ui-help-hints = Hints for the start
+ui-hints-close = Close the hints; the help menu has them
+ui-hint-drag = Drag a ring or a square: every number of every stage follows.
+ui-hint-step = Step with → and ←: the lit line says what was done.
+ui-hint-pixel = Click a pixel of the image: it tells why it is drawn or not.
+ui-lecture = { $count ->
+    [one] Lecture: { $heading }
+   *[other] Lectures ({ $count }): { $heading }
+}
+ui-lectures = In the lectures
+ui-view-exact = Exact values, with their bits
+ui-view-still = Less motion
+ui-key-exact = Exact values, with their bits
 
 ui-palette = Commands
 ui-palette-hint = Type what you want to do
@@ -37,6 +50,7 @@ ui-palette-lab = Open: { $name }
 ui-palette-preset = Preset: { $name }
 ui-unit-line = line
 ui-unit-point = point
+ui-unit-polygon = polygon
 
 ui-stage-off = off
 ui-stage-earlier = { $count } { $count ->
@@ -48,6 +62,7 @@ ui-stage-later = { $count } { $count ->
    *[other] later stages
 }
 
+ui-algorithm = Algorithm: { $name }
 ui-presets = Preset
 ui-conventions = Conventions
 ui-arithmetic = Arithmetic
@@ -61,6 +76,16 @@ ui-ends-and-corners = Ends and corners
 ui-add-corner = Add a corner
 ui-remove-corner = Remove the last
 ui-stays-convex = The window stays convex: a corner that would bend inward stops.
+ui-corners-and-window = Corners and window
+ui-add-corner = Add a corner
+ui-add-corner-where = In the middle of the longest edge
+ui-remove-corner = Remove one
+ui-remove-corner-where = The last corner; three must stay
+ui-side-order = Sides
+ui-side-order-left-right-bottom-top = left, right, bottom, top
+ui-side-order-bottom-top-left-right = bottom, top, left, right
+ui-side-order-top-right-bottom-left = top, right, bottom, left
+ui-side-order-left-bottom-right-top = left, bottom, right, top
 ui-ends-and-window = Ends and window
 
 ui-tab-step = Step
@@ -102,6 +127,8 @@ ui-key-home = Home
 ui-key-space = Space
 ui-key-end = End
 ui-key-play = Play, pause
+ui-key-next-algorithm = Next algorithm of the stage
+ui-key-last-algorithm = Algorithm before, of the stage
 ui-key-fit = Fit the drawing into the canvas
 ui-key-theme = Next theme
 ui-key-bigger = Bigger
@@ -126,6 +153,9 @@ ui-unsaved = There are unsaved edits.
 ui-discard = Discard
 ui-later = Later
 ui-bring-back = Bring it back
+ui-large = This window is large. Make everything half as big again? The view menu has more sizes.
+ui-large-yes = 150 %
+ui-large-no = Not now
 ui-work-back = The unsaved work of last time is back.
 ui-work-aside = There is unsaved work of last time.
 ui-no-picture = There is nothing on the canvas to export.
@@ -141,6 +171,8 @@ ui-busy-run = Tracing the steps
 ui-stop = Stop
 ui-lost = This could not be done: the work ended with a fault of the program.
 ui-copied-picture = The picture is on the clipboard.
+ui-copy-value = A click copies the value.
+ui-copied-value = { $value } is on the clipboard.
 ui-copied-values = The values are on the clipboard.
 ui-error-keep = Unsaved work cannot be kept for the next start: { $reason }. Save it to a file.
 ui-no-dialog = There is no file dialog here: type the path, or drop the file on the window.
@@ -203,3 +235,21 @@ column-came = in
 column-went = out
 column-dropped = dropped
 ui-thousands = { $count } k
+
+ui-space = Space
+ui-space-clip = clip, before ÷ w
+ui-space-camera = camera
+ui-planes = Planes
+ui-planes-all = all six
+ui-planes-near = near only
+ui-planes-guard = guard band
+ui-guard = Factor
+ui-pieces = Result
+ui-pieces-polygon = one polygon
+ui-pieces-triangles = fan of triangles
+ui-mistakes = Common mistakes
+ui-mistake-divide-first = Divide before clip
+ui-mistake-no-near-plane = No near plane
+ui-mistake-no-attributes = New vertices without u
+ui-mistake-walk-order = Intersections in walk order
+ui-vertices-camera = Vertices (camera space)

@@ -3,29 +3,42 @@
 use rasterscope_core::{
     clip::{
         line::{Point, Window},
-        polygon::sutherland_hodgman::{self, Settings},
+        polygon::{
+            Algorithm,
+            sutherland_hodgman::{self, Mistake, Settings, SideOrder},
+        },
     },
-    math::{Arithmetic, Tally},
+    labs,
+    math::Tally,
+    scene::Scene,
     trace::NoTrace,
 };
 use serde::Serialize;
 
-use super::{Refusal, Request, wide};
+use super::{Refusal, Request, lab_scene, wide};
 
 /// What a `clip_polygon` request asks for.
 struct Input {
+    algorithm: Algorithm,
     window: Window,
     polygon: Vec<Point>,
-    arithmetic: Arithmetic,
+    settings: Settings,
 }
 
 impl Input {
     fn read(request: &Request) -> Result<Self, Refusal> {
-        request.choice(("algorithm", "unknown-algorithm"), &["sutherland-hodgman"], |name| name, &[])?;
+        let names = ("algorithm", "unknown-algorithm");
+        let algorithm = request.choice(names, &Algorithm::ALL, Algorithm::name, &[])?.unwrap_or_default();
+        let order = request.choice(("order", "unknown-order"), &SideOrder::ALL, SideOrder::name, &[])?;
         Ok(Self {
+            algorithm,
             window: request.window()?,
             polygon: request.polygon("polygon")?,
-            arithmetic: request.arithmetic_of(&[Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64])?,
+            settings: Settings {
+                arithmetic: request.arithmetic_of(algorithm.arithmetics())?,
+                order: order.unwrap_or_default(),
+                mistake: request.choice(("mistake", "unknown-mistake"), &Mistake::ALL, Mistake::name, &[])?,
+            },
         })
     }
 }
@@ -38,13 +51,21 @@ pub(super) struct Answer {
 }
 
 pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
-    let Input { window, polygon, arithmetic } = Input::read(request)?;
-    let settings = Settings { arithmetic, ..Settings::default() };
+    let Input { window, polygon, settings, .. } = Input::read(request)?;
     let clipped =
         sutherland_hodgman::clip_traced(&[polygon], &window, settings, &mut Tally::default(), &mut NoTrace);
     let corners = clipped.iter().flatten().map(|corner| corner.at);
     if corners.clone().flatten().any(|number| !number.is_finite()) {
-        return Err(Refusal::overflow(arithmetic));
+        return Err(Refusal::overflow(settings.arithmetic));
     }
     Ok(Answer { polygon: corners.map(wide).collect() })
+}
+
+/// The same request as a scene that opens a lab.
+pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
+    let Input { algorithm, window, polygon, settings } = Input::read(request)?;
+    let Settings { arithmetic, order, mistake } = settings;
+    let (window, contours) = (window.array(), Vec::new());
+    let input = labs::ClipPolygon { algorithm, window, polygon, contours, order, arithmetic, mistake };
+    Ok(lab_scene([64, 64], input))
 }

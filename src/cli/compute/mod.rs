@@ -157,10 +157,11 @@ fn dispatch(request: &Request) -> Result<Answer, Refusal> {
 pub(crate) fn lab(request: &Request) -> Result<Scene, Refusal> {
     match Op::of(request)? {
         Op::ClipLine => clip_line::lab(request),
+        Op::ClipPolygon => clip_polygon::lab(request),
         Op::Coverage => coverage::lab(request),
         Op::Depth => depth::lab(request),
         Op::Render => render::scene(request),
-        op @ (Op::ClipPolygon | Op::ClipTriangle | Op::Interpolate) => Err(Refusal::no_lab(op.name())),
+        op @ (Op::ClipTriangle | Op::Interpolate) => Err(Refusal::no_lab(op.name())),
     }
 }
 

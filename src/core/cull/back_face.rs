@@ -47,6 +47,16 @@ impl EdgeOn {
     /// Every setting, the default first.
     pub const ALL: [Self; 4] = [Self::Neither, Self::Back, Self::Front, Self::AsTaught];
 
+    /// The id of the words for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Neither => "back-face-rule-neither",
+            Self::Back => "back-face-rule-back",
+            Self::Front => "back-face-rule-front",
+            Self::AsTaught => "back-face-rule-as-taught",
+        }
+    }
+
     /// What a test makes of the value zero.
     fn facing(self, test: Test) -> Facing {
         match (self, test) {

@@ -9,7 +9,9 @@ pub mod ndc_normal;
 pub mod number;
 pub mod object_eye;
 pub mod plane_equation;
+pub mod planes;
 pub mod screen_area;
+pub mod sphere;
 pub mod xyw_determinant;
 
 pub use facing::{Facing, facing};

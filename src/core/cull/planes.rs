@@ -194,15 +194,23 @@ impl Frustum {
         Reach { distance: dot(*normal, middle) + offset, spread, slack }
     }
 
-    /// Tests a body against the planes of a mask, in order, up to the first that it lies outside of.
+    /// Tests a body against the planes of a mask, in order, up to the first that it lies outside of;
+    /// each is reported.
     ///
     /// `Err`: that plane; all vertices of the pipeline within the body lie strictly outside of it. `Ok`:
     /// the planes that the body crosses; of all others its vertices lie inside. A few ns a plane.
     #[inline]
-    pub fn test(&self, volume: &Volume, mask: PlaneMask) -> Result<PlaneMask, Plane> {
+    pub fn test(
+        &self,
+        volume: &Volume,
+        mask: PlaneMask,
+        mut report: impl FnMut(Plane, Side),
+    ) -> Result<PlaneMask, Plane> {
         let mut crossed = mask;
         for plane in mask.planes() {
-            match self.reach(plane, volume).side() {
+            let side = self.reach(plane, volume).side();
+            report(plane, side);
+            match side {
                 Side::Outside => return Err(plane),
                 Side::Inside => crossed = crossed.without(plane),
                 Side::Crosses => {}

@@ -1,12 +1,19 @@
 //! The lab that asks six back-face tests about one triangle.
 
-use super::{Family, nothing_to_step, transform::check_index};
+use super::{
+    Family,
+    clip_line::{ARITHMETICS, check_arithmetic},
+    nothing_to_step,
+    transform::check_index,
+};
 use crate::{
+    compare::Setting,
     cull::back_face::{self, EdgeOn, Input, Settings},
     math::Arithmetic,
     message::Message,
+    raster::YAxis,
     replay::{Budget, Playback},
-    scene::{Checked, Problem, Scene, refuse_if},
+    scene::{Checked, Scene},
 };
 use serde::{Deserialize, Serialize};
 
@@ -45,9 +52,7 @@ impl Family for BackFace {
         check_index("draw", self.draw, scene.draws.len())?;
         let mesh = scene.draws[self.draw].geometry.mesh();
         mesh.map_or(Ok(()), |mesh| check_index("triangle", self.triangle, mesh.triangles.len()))?;
-        let known = vec!["exact", "f32", "f64"];
-        let problem = Problem::UnknownName { name: self.arithmetic.name().into(), known };
-        refuse_if(self.arithmetic == Arithmetic::Fixed8, "arithmetic", problem)
+        check_arithmetic(self.arithmetic)
     }
 
     fn play(&self, scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
@@ -55,5 +60,20 @@ impl Family for BackFace {
         let settings = Settings { edge_on, arithmetic, ..Settings::default() };
         let input = Input::of(scene, draw, triangle, settings).ok_or_else(|| nothing_to_step(self))?;
         Ok(Box::new(back_face::play(input, budget)))
+    }
+
+    fn settings(&self, scene: &Scene) -> Vec<Setting> {
+        let arithmetics = ARITHMETICS.map(Setting::Arithmetic).into_iter();
+        arithmetics.chain(Setting::of_facing(scene)).chain(YAxis::ALL.map(Setting::YAxis)).collect()
+    }
+
+    fn setting(&self, like: Setting) -> Option<Setting> {
+        matches!(like, Setting::Arithmetic(_)).then_some(Setting::Arithmetic(self.arithmetic))
+    }
+
+    fn set(&mut self, setting: Setting) {
+        if let Setting::Arithmetic(arithmetic) = setting {
+            self.arithmetic = arithmetic;
+        }
     }
 }

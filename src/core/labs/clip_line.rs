@@ -44,15 +44,6 @@ pub(super) fn check_window(window: &[f32; 4]) -> Checked {
     refuse_if(xmin > xmax || ymin > ymax, "window", Problem::WindowReversed)
 }
 
-/// Fixed point is for scan conversion.
-pub(super) fn check_arithmetic(arithmetic: Arithmetic) -> Checked {
-    let problem = Problem::UnknownName {
-        name: arithmetic.name().into(),
-        known: ARITHMETICS.map(Arithmetic::name).to_vec(),
-    };
-    refuse_if(!ARITHMETICS.contains(&arithmetic), "arithmetic", problem)
-}
-
 impl Family for ClipLine {
     fn first() -> Self {
         Self {
@@ -114,4 +105,11 @@ impl Family for ClipLine {
             self.arithmetic = arithmetic;
         }
     }
+}
+
+/// Refuses an arithmetic that the lab does not compute in.
+pub(super) fn check_arithmetic(arithmetic: Arithmetic) -> Checked {
+    let known = ARITHMETICS.map(Arithmetic::name).to_vec();
+    let problem = Problem::UnknownName { name: arithmetic.name().into(), known };
+    refuse_if(!ARITHMETICS.contains(&arithmetic), "arithmetic", problem)
 }

@@ -9,14 +9,19 @@ mod back_face;
 mod clip_convex;
 mod clip_line;
 mod clip_point;
+mod clip_polygon;
+mod clip_triangle;
+mod lectures;
 mod pipeline;
 mod scanline;
 mod transform;
 mod z_buffer;
 
+pub use self::lectures::Topic;
 pub use self::{
     back_face::BackFace, clip_convex::ClipConvex, clip_line::ClipLine, clip_point::ClipPoint,
-    pipeline::Pipeline, scanline::Scanline, transform::Transform, z_buffer::ZBuffer,
+    clip_polygon::ClipPolygon, clip_triangle::ClipTriangle, pipeline::Pipeline, scanline::Scanline,
+    transform::Transform, z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
 
@@ -83,6 +88,8 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<ClipConvex>("cyrus-beck", Stage::Clip),
     LabInfo::new::<ClipLine>("midpoint", Stage::Clip),
     LabInfo::new::<ClipLine>("nicholl-lee-nicholl", Stage::Clip),
+    LabInfo::new::<ClipTriangle>("clip-triangle", Stage::Clip),
+    LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
 ];
@@ -161,6 +168,14 @@ macro_rules! families {
                 match self { $(Self::$family(input) => input.is_of_scene(),)* }
             }
 
+            /// The same input for another lab of its family; `None`: that lab has other inputs.
+            pub fn carried(&self, name: &'static str) -> Option<Self> {
+                match self { $(Self::$family(input) => {
+                    let carried = input.clone().named(name);
+                    (carried.name() == name).then(|| carried.into())
+                })* }
+            }
+
             pub(crate) fn check(&self, scene: &Scene) -> Checked {
                 match self { $(Self::$family(input) => input.check(scene),)* }
             }
@@ -202,6 +217,8 @@ families! {
     ClipLine
     /// A line against a convex polygon.
     ClipConvex
+    /// Polygons against a window.
+    ClipPolygon
     /// One triangle, row by row.
     Scanline
     /// Triangles, fragment by fragment.
@@ -210,6 +227,8 @@ families! {
     Transform
     /// One triangle: does the eye see its back?
     BackFace
+    /// One triangle against the planes of the frustum.
+    ClipTriangle
     /// The whole scene, stage by stage.
     Pipeline
 }

@@ -15,7 +15,7 @@ use super::tally::Tally;
 ///
 /// *Source:* Ozaki et al. 2016 (doi 10.1007/s10543-015-0574-9). Their term for underflow is left out:
 /// differences of f32 are multiples of 2^-149, so no product other than zero lies below 2^-298.
-const ORIENT2D_FILTER: f64 = 3.330_669_062_177_372_2e-16;
+pub(crate) const ORIENT2D_FILTER: f64 = 3.330_669_062_177_372_2e-16;
 
 /// Absolute error of a determinant relative to the sum of its terms' magnitudes, if no term goes through
 /// more than four roundings: (1 + u)^4 - 1 <= 4u + 7u^2.

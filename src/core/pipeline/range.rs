@@ -5,6 +5,7 @@
 
 use crate::{
     cull::frustum::Bounds,
+    explain::letter,
     message::{Message, Value},
     scene::{Draw, Mesh, Scene},
     transform::{
@@ -29,8 +30,10 @@ pub fn out_of_range(scene: &Scene) -> Option<Message> {
         let mesh = draw.geometry.mesh()?;
         let chain = Chain::of(scene, draw);
         let matrices = [&chain.model, &chain.view, &chain.projection];
-        (!surely_within(mesh, matrices) && any_vertex_leaves(mesh, matrices))
-            .then(|| about("error-scene-draw-out-of-range", format!("draws[{index}]")))
+        let name = if draw.name.is_empty() { letter(index) } else { draw.name.clone() };
+        (!surely_within(mesh, matrices) && any_vertex_leaves(mesh, matrices)).then(|| {
+            about("error-scene-draw-out-of-range", format!("draws[{index}]")).with("name", Value::text(name))
+        })
     };
     scene.draws.iter().enumerate().find_map(leaves)
 }

@@ -52,6 +52,8 @@ pub trait Playback: Send {
     fn vantage(&self) -> Option<Vantage>;
     /// Marks of the timeline with their steps, in order.
     fn markers(&self) -> Vec<(usize, Marker)>;
+    /// The names below the marks of the timeline with their steps, in order.
+    fn captions(&self) -> Vec<(usize, Message)>;
     /// The steps that end an event of `level` or coarser, in order.
     fn ends(&self, level: Level) -> Vec<usize>;
     /// The result at the cursor as facts.
@@ -170,6 +172,12 @@ impl<S: Explain> Playback for Player<S> {
     fn markers(&self) -> Vec<(usize, Marker)> {
         let mut out = Vec::new();
         self.for_each(|step, event| out.extend(S::marker(event).map(|marker| (step, marker))));
+        out
+    }
+
+    fn captions(&self) -> Vec<(usize, Message)> {
+        let mut out = Vec::new();
+        self.for_each(|step, event| out.extend(self.state.caption(event).map(|caption| (step, caption))));
         out
     }
 

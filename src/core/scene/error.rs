@@ -68,6 +68,13 @@ pub enum Problem {
         /// There.
         found: usize,
     },
+    /// A longer list was expected.
+    TooShort {
+        /// Least.
+        least: usize,
+        /// There.
+        found: usize,
+    },
     /// A field that must be there is not.
     Missing,
     /// No such field, or not together with the others.
@@ -221,6 +228,9 @@ impl Problem {
             Self::Missing => Message::new("error-scene-missing"),
             Self::UnknownField { known } => {
                 Message::new("error-scene-unknown-field").with("known", Value::text(known.join(", ")))
+            }
+            Self::TooShort { least, found } => {
+                Message::new("error-scene-too-short").with("least", *least).with("found", *found)
             }
             Self::UnknownName { name, known } => Message::new("error-scene-unknown-name")
                 .with("name", Value::text(name))

@@ -2,6 +2,7 @@
 //!
 //! *Source:* Shirley, Marschner, Fundamentals of Computer Graphics, 4th ed. 2015, sections 7.1 to 7.3.
 
+mod curve;
 mod explain;
 mod formulas;
 mod picture;

@@ -56,7 +56,13 @@ fn role_of(mark: &mut Mark) -> Option<(&mut Role, u8)> {
         Mark::Polygon { role, .. } => Some((role, 2)),
         Mark::Pixel { role, .. } => Some((role, 3)),
         Mark::Guide { role, .. } => Some((role, 4)),
-        Mark::Span { .. } | Mark::Text { .. } | Mark::Image { .. } => None,
+        Mark::Curve { role, .. } => Some((role, 5)),
+        Mark::Run { .. }
+        | Mark::Span { .. }
+        | Mark::Text { .. }
+        | Mark::Key { .. }
+        | Mark::Image { .. }
+        | Mark::Space(_) => None,
     }
 }
 
@@ -77,9 +83,10 @@ fn samples(marks: &[Mark]) -> Vec<(usize, Role, u8)> {
 fn bare(mut marks: Vec<Mark>) -> Vec<Mark> {
     for mark in &mut marks {
         match mark {
-            Mark::Point { label, .. } | Mark::Segment { label, .. } | Mark::Polygon { label, .. } => {
-                *label = None;
-            }
+            Mark::Point { label, .. }
+            | Mark::Segment { label, .. }
+            | Mark::Polygon { label, .. }
+            | Mark::Curve { label, .. } => *label = None,
             Mark::Guide { label, note, .. } => (*label, *note) = (None, None),
             _ => {}
         }

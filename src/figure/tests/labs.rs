@@ -75,6 +75,9 @@ fn every_sentence_formula_and_table_is_whole() {
         for (step, marker) in run.markers() {
             assert!(marker.label.is_none_or(|id| words.has(id)), "{name}, step {step}: {:?}", marker.label);
         }
+        for (step, caption) in run.captions() {
+            assert_eq!(words.try_message(&caption).err(), None, "{name}, step {step}");
+        }
     }
 }
 

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use rasterscope_core::{
-    explain::{Grid, Label, Mark, Role, View},
-    message::Value,
+    explain::{Grid, Label, Mark, Role, Sign, View},
+    message::{Message, Value},
 };
 use rasterscope_figure::{
     figure::{Figure, Shape},
@@ -15,7 +15,7 @@ use rasterscope_figure::{
 };
 use resvg::{tiny_skia::Pixmap, usvg};
 
-const SIZE: [f32; 2] = [360.0, 300.0];
+const SIZE: [f32; 2] = [360.0, 322.0];
 
 /// Every kind of mark in every role.
 fn marks() -> Vec<Mark> {
@@ -26,9 +26,14 @@ fn marks() -> Vec<Mark> {
         marks.push(Mark::Point { at: [x + 0.5, y + 0.5], role, label: label.clone() });
         marks.push(Mark::Segment { ends: [[x, y + 1.0], [x + 1.5, y + 2.0]], role, label: None });
         let points = vec![[x, y + 2.0], [x + 1.6, y + 2.0], [x + 0.4, y + 2.4], [x, y + 3.6]];
+        let bent = vec![[x, y + 3.8], [x + 0.5, y + 3.2], [x + 1.6, y + 3.6]];
+        marks.push(Mark::Curve { points: bent, role, label: None });
         marks.push(Mark::Polygon { points, role, object: (i > 3).then_some(i), label: None });
         marks.push(Mark::Pixel { at: [i as i32, 8], role, object: Some(i), value: Value::F32(0.25) });
         marks.push(Mark::Guide { axis: 0, at: x + 1.9, role, label, note: None });
+    }
+    for sign in [Sign::Marker, Sign::Line] {
+        marks.push(Mark::Key { role: Role::Rejected, sign, meaning: Message::new("figure-dark") });
     }
     marks.push(Mark::Span { y: 9, ends: [1.25, 7.5], role: Role::Active });
     marks.push(Mark::Text { at: [0.0, 4.0], label: Label::name("⌈0101⌉"), role: Role::Tie, big: true });

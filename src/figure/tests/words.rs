@@ -12,7 +12,7 @@ use rasterscope_core::{
 };
 use rasterscope_figure::{
     figure::Font,
-    text,
+    glossary, text,
     words::{LANGUAGES, Words},
 };
 
@@ -157,6 +157,7 @@ fn no_message_is_unused() {
         let stage = id.strip_prefix("tour-about-").or_else(|| id.strip_prefix("tour-off-"));
         stage.is_some_and(|name| Stage::ALL.iter().any(|stage| stage.word().ends_with(name)))
     };
+    let terms: BTreeSet<_> = literals.keys().map(|literal| glossary::id(literal)).collect();
     let unused: Vec<_> = Words::default()
         .ids()
         .into_iter()
@@ -164,6 +165,7 @@ fn no_message_is_unused() {
             !literals.contains_key(*id)
                 && !of_lab(id)
                 && !of_stage(id)
+                && !terms.contains(*id)
                 && !scenes.contains(&format!("\"{id}\""))
                 && !sources.contains(&format!("{{ {id} }}"))
         })

@@ -1,6 +1,6 @@
 //! What the labs that clip a line share: all but the algorithm.
 
-use super::{Handle, Kind, Lab, Outcome};
+use super::{Handle, Kind, Lab, Outcome, window};
 use crate::{
     document::{Document, ViewState},
     face::Face,
@@ -19,18 +19,6 @@ use rasterscope_core::{
 #[derive(Debug)]
 pub(crate) struct ClipLine(pub(crate) Algorithm);
 
-/// Handles of the window: which of xmin, ymin, xmax, ymax each moves.
-const WINDOW: [(&str, Kind, Option<usize>, Option<usize>); 8] = [
-    ("xmin ymin", Kind::Corner, Some(0), Some(1)),
-    ("xmax ymin", Kind::Corner, Some(2), Some(1)),
-    ("xmax ymax", Kind::Corner, Some(2), Some(3)),
-    ("xmin ymax", Kind::Corner, Some(0), Some(3)),
-    ("xmin", Kind::SideX, Some(0), None),
-    ("xmax", Kind::SideX, Some(2), None),
-    ("ymin", Kind::SideY, None, Some(1)),
-    ("ymax", Kind::SideY, None, Some(3)),
-];
-
 impl Lab for ClipLine {
     fn name(&self) -> &'static str {
         self.0.name()
@@ -47,7 +35,7 @@ impl Lab for ClipLine {
         let [x1, y1, x2, y2] = segment;
         choices::fields(ui, face, "P1", [x1, y1]);
         choices::fields(ui, face, "P2", [x2, y2]);
-        window_fields(ui, face, window);
+        window::fields(ui, face, window);
     }
 
     fn handles(&self, document: &Document) -> Vec<Handle> {
@@ -56,7 +44,7 @@ impl Lab for ClipLine {
         let end = |name: &str, at| Handle { name: name.to_owned(), at, kind: Kind::Point };
         let ends = [end("P1", [*x1, *y1]), end("P2", [*x2, *y2])];
         // The ends last: where a handle of the window lies on an end, the end is on top.
-        window_handles(window).chain(ends).collect()
+        window::handles(window).into_iter().chain(ends).collect()
     }
 
     fn outcome(&self, _: &Document, markers: &[(usize, Marker)]) -> Option<Outcome> {
@@ -65,41 +53,10 @@ impl Lab for ClipLine {
 
     fn drag(&self, document: &mut Document, handle: usize, to: [f32; 2]) {
         let LabInput::ClipLine(labs::ClipLine { window, segment, .. }) = document.input_mut() else { return };
-        if let Err(end) = drag_window(window, handle, to) {
+        if let Some(end) = window::drag(window, handle, to) {
             segment[2 * end..2 * end + 2].copy_from_slice(&to);
         }
     }
-}
-
-/// The corners and sides of a window.
-pub(super) fn window_handles(window: &[f32; 4]) -> impl Iterator<Item = Handle> {
-    let middle = |low: usize| window[low] / 2.0 + window[low + 2] / 2.0;
-    WINDOW.into_iter().map(move |(name, kind, x, y)| {
-        let at = [x.map_or(middle(0), |x| window[x]), y.map_or(middle(1), |y| window[y])];
-        Handle { name: name.to_owned(), at, kind }
-    })
-}
-
-/// Moves a side or a corner; `Err` is how far the handle lies behind those of the window.
-pub(super) fn drag_window(window: &mut [f32; 4], handle: usize, [x, y]: [f32; 2]) -> Result<(), usize> {
-    let Some((_, _, to_x, to_y)) = WINDOW.get(handle) else { return Err(handle - WINDOW.len()) };
-    let before = *window;
-    for (side, to) in [(to_x, x), (to_y, y)] {
-        if let Some(side) = side {
-            window[*side] = to;
-        }
-    }
-    keep_order(window, before);
-    Ok(())
-}
-
-/// The window as numbers.
-pub(super) fn window_fields(ui: &mut Ui, face: &Face<'_>, window: &mut [f32; 4]) {
-    let before = *window;
-    let [xmin, ymin, xmax, ymax] = window;
-    choices::fields(ui, face, "min", [xmin, ymin]);
-    choices::fields(ui, face, "max", [xmax, ymax]);
-    keep_order(window, before);
 }
 
 /// What a line is clipped in, and where dragged points snap to.
@@ -127,19 +84,5 @@ fn choose_mistakes(ui: &mut Ui, face: &Face<'_>, mistakes: &mut Mistakes) {
         let mut made = mistakes.has(mistake);
         choices::mistake(ui, face, words, &mut made);
         *mistakes = if made { mistakes.with(mistake) } else { mistakes.without(mistake) };
-    }
-}
-
-/// A side that was moved stops at the opposite one.
-fn keep_order(window: &mut [f32; 4], before: [f32; 4]) {
-    for axis in 0..2 {
-        let (low, high) = (axis, axis + 2);
-        if window[low] > window[high] {
-            if window[low] == before[low] {
-                window[high] = window[low];
-            } else {
-                window[low] = window[high];
-            }
-        }
     }
 }

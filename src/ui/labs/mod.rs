@@ -3,7 +3,10 @@
 //! A lab says what of the document can be dragged and chosen. Running, stepping, listing,
 //! inspector and painting are the shell's, the same for all.
 
+mod back_face;
 mod clip_line;
+mod clip_polygon;
+mod clip_triangle;
 mod cohen_sutherland;
 mod cyrus_beck;
 mod liang_barsky;
@@ -14,7 +17,9 @@ mod pipeline;
 mod placing;
 mod point_clipping;
 mod scanline;
+mod sutherland_hodgman;
 mod transform;
+mod window;
 mod z_buffer;
 
 use crate::{
@@ -126,12 +131,15 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
     vec![
         Box::new(pipeline::Pipeline),
         Box::new(transform::Transform),
+        Box::new(back_face::BackFace),
         Box::new(point_clipping::PointClipping),
         Box::new(cohen_sutherland::LAB),
         Box::new(liang_barsky::LAB),
         Box::new(cyrus_beck::CyrusBeck),
         Box::new(midpoint::LAB),
         Box::new(nicholl_lee_nicholl::LAB),
+        Box::new(clip_triangle::ClipTriangle),
+        Box::new(sutherland_hodgman::LAB),
         Box::new(scanline::Scanline),
         Box::new(z_buffer::ZBuffer),
     ]

@@ -111,7 +111,7 @@ const SKIPS: [(Skip, &str); 8] = [
 ];
 
 /// Cull mode and front of all draws.
-fn facing(ui: &mut Ui, face: &Face<'_>, document: &mut Document) {
+pub(super) fn facing(ui: &mut Ui, face: &Face<'_>, document: &mut Document) {
     let draws = &mut document.scene.draws;
     let Some(first) = draws.first() else { return };
     let (mut cull, mut front) = (first.cull, first.front);

@@ -55,8 +55,10 @@ pub(super) fn camera(ui: &mut Ui, face: &Face<'_>, scene: &mut Scene) {
         Projection::Orthographic { height } => ("ui-height", height),
     };
     for (name, value) in [(name, value), ("ui-near", &mut camera.near), ("ui-far", &mut camera.far)] {
-        let name = face.say(name);
-        choices::labelled(ui, face, &name, |ui, width| choices::number(ui, face, width, &name, value));
+        let text = face.say(name);
+        let label =
+            choices::labelled(ui, face, &text, |ui, width| choices::number(ui, face, width, &text, value));
+        face.explain(label, name);
     }
     // What cannot be seen through leaves the camera as it was.
     if scene.camera != before && scene.validate().is_err() {

@@ -2,7 +2,8 @@
 
 use super::{
     Handle, Kind, Lab, Outcome,
-    clip_line::{conventions, drag_window, kept, window_fields, window_handles},
+    clip_line::{conventions, kept},
+    window as clip_window,
 };
 use crate::{
     document::{Document, ViewState},
@@ -33,7 +34,7 @@ impl Lab for PointClipping {
         conventions(ui, face, arithmetic, view);
         heading(ui, face, &face.say("ui-point-and-window"));
         choices::fields(ui, face, "P", [x, y]);
-        window_fields(ui, face, window);
+        clip_window::fields(ui, face, window);
     }
 
     fn handles(&self, document: &Document) -> Vec<Handle> {
@@ -42,7 +43,7 @@ impl Lab for PointClipping {
         };
         let point = Handle { name: "P".to_owned(), at: *point, kind: Kind::Point };
         // The point last: where a handle of the window lies on it, the point is on top.
-        window_handles(window).chain([point]).collect()
+        clip_window::handles(window).into_iter().chain([point]).collect()
     }
 
     fn outcome(&self, _: &Document, markers: &[(usize, Marker)]) -> Option<Outcome> {
@@ -51,7 +52,7 @@ impl Lab for PointClipping {
 
     fn drag(&self, document: &mut Document, handle: usize, to: [f32; 2]) {
         let LabInput::ClipPoint(labs::ClipPoint { window, point, .. }) = document.input_mut() else { return };
-        if drag_window(window, handle, to).is_err() {
+        if clip_window::drag(window, handle, to).is_some() {
             *point = to;
         }
     }

@@ -1,6 +1,7 @@
 //! The canvas: the drawing of the step, handles to drag, zoom, pan, and the readout.
 
 use super::{
+    halo,
     handles::{self, Plane},
     outside::{self, Outside},
 };
@@ -150,8 +151,17 @@ impl Canvas {
         let Some(placement) = self.placement else { return };
         let plane = Plane { rect, placement, y_up: drawing.view.y_up };
         let shown = self.move_handles(ui, &plane, &handles, camera.map(|camera| (camera, &solid[..])), open);
+        let flat = !overview && camera.is_none();
+        let on =
+            ui.ctx().pointer_hover_pos().filter(|at| flat && rect.contains(*at) && ui.ui_contains_pointer());
+        let thing = on.and_then(|at| halo::pointed(&plane, drawing.marks, drawing.view, at));
+        thing.into_iter().for_each(|thing| face.links.point_at(thing));
+        halo::under(ui.painter(), face, &plane, drawing.marks);
         let figure = self.figure(drawing, camera, placement, rect.size(), face);
         paint::figure(ui.painter(), textures, rect.min, figure);
+        if on.is_none() {
+            halo::over(ui.painter(), face, &plane, drawing.view);
+        }
         for (response, handle) in &shown {
             handles::paint(ui, face, response, plane.place(handle.at), handle.kind);
         }
@@ -310,7 +320,7 @@ fn readout(
     known: Option<&Hover>,
 ) -> Option<[u32; 2]> {
     if drawing.rev.0 == Maker::Space || drawing.vantage.is_some() {
-        foot(ui, face, plane.rect, &face.say("ui-readout-space"));
+        foot(ui, face, plane.rect, &face.say("ui-readout-space"), false);
         return None;
     }
     let hover = ui.ctx().pointer_hover_pos();
@@ -318,7 +328,8 @@ fn readout(
     if !has_pixels(drawing) {
         if drawing.view.grid == Grid::Units {
             let at = plane.point(at).map(|c| (c * 100.0).round() / 100.0);
-            foot(ui, face, plane.rect, &face.words.message(&Message::new("ui-readout-point").with("at", at)));
+            let text = face.words.message(&Message::new("ui-readout-point").with("at", at));
+            foot(ui, face, plane.rect, &text, false);
         }
         return None;
     }
@@ -332,7 +343,8 @@ fn readout(
     } else if let Some(value) = value_at(drawing.marks, pixel) {
         line = format!("{line}  {}", face.say_with("ui-readout-value", "value", value));
     }
-    foot(ui, face, plane.rect, &line);
+    let legend = drawing.marks.iter().any(|mark| matches!(mark, Mark::Key { .. }));
+    foot(ui, face, plane.rect, &line, legend);
     Some(pixel)
 }
 
@@ -345,8 +357,8 @@ fn value_at(marks: &[Mark], pixel: [u32; 2]) -> Option<Value> {
     marks.iter().rev().find_map(here).filter(|value| *value != Value::None)
 }
 
-/// One line at the foot of the canvas.
-fn foot(ui: &Ui, face: &Face<'_>, rect: Rect, message: &str) {
+/// One line at the foot of the canvas; it takes the whole width where a legend has its place.
+fn foot(ui: &Ui, face: &Face<'_>, rect: Rect, message: &str, whole: bool) {
     let room = rect.width() - 28.0;
     let measure = |text| {
         let font = face.look.font(text);
@@ -355,9 +367,11 @@ fn foot(ui: &Ui, face: &Face<'_>, rect: Rect, message: &str) {
     let (size, font) = Some(measure(Text::Listing))
         .filter(|(size, _)| size.x <= room)
         .unwrap_or_else(|| measure(Text::SmallMono));
-    let size = vec2(size.x.min(room), size.y);
-    let plate =
-        Rect::from_min_size(pos2(rect.left() + 8.0, rect.bottom() - size.y - 12.0), size + vec2(12.0, 6.0));
-    ui.painter().rect_filled(plate, 3, face.look.canvas);
-    text_in(ui.painter(), plate.shrink2(vec2(6.0, 0.0)), Align2::LEFT_CENTER, message, font, face.look.dim);
+    let right = if whole { rect.right() } else { rect.left() + size.x.min(room) + 28.0 };
+    let plate = Rect::from_min_max(
+        pos2(rect.left(), rect.bottom() - size.y - 14.0),
+        pos2(right, rect.bottom() - if whole { 0.0 } else { 4.0 }),
+    );
+    ui.painter().rect_filled(plate, 0, face.look.canvas);
+    text_in(ui.painter(), plate.shrink2(vec2(14.0, 0.0)), Align2::LEFT_CENTER, message, font, face.look.dim);
 }

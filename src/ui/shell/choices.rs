@@ -5,7 +5,7 @@ use crate::{
     face::{Command, Face},
     labs::Open,
     presets::PresetInfo,
-    shell::Frame,
+    shell::{Frame, algorithm, lectures},
     theme::{Text, small_mono},
     widgets::{down, follow_focus, heading, row, text_in},
 };
@@ -21,8 +21,9 @@ const PRESETS: f32 = 0.42;
 /// Presets and conventions scroll one below the other, never one in the other.
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, open: &mut Open<'_>) {
     let whole = ui.available_height();
-    ui.label(face.rich(&frame.title, Text::Title));
+    algorithm::show(ui, face, frame);
     ui.label(face.dim(&frame.about, Text::Label));
+    lectures::show(ui, face, frame.lab);
     presets(ui, face, frame, whole * PRESETS);
     ScrollArea::vertical().id_salt("conventions").auto_shrink(false).show(ui, |ui| {
         ui.set_width(ui.available_width());
@@ -84,8 +85,9 @@ pub(crate) fn choose<T: Copy + PartialEq>(
 ) {
     let before = *value;
     let selected = all.iter().find(|(each, _)| *each == before).map_or("", |(_, name)| name);
-    let label = face.say(label);
-    labelled(ui, face, &label, |ui, width| {
+    let term = label;
+    let label = face.say(term);
+    let row = labelled(ui, face, &label, |ui, width| {
         let combo = ComboBox::from_id_salt(&label)
             .width(width)
             .truncate()
@@ -98,17 +100,28 @@ pub(crate) fn choose<T: Copy + PartialEq>(
             });
         combo.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, &label));
     });
+    face.explain(row, term);
 }
 
 /// A label in its column, and something beside it.
-pub(crate) fn labelled(ui: &mut Ui, face: &Face<'_>, label: &str, content: impl FnOnce(&mut Ui, f32)) {
-    ui.horizontal(|ui| {
+///
+/// The response is the label's.
+pub(crate) fn labelled(
+    ui: &mut Ui,
+    face: &Face<'_>,
+    label: &str,
+    content: impl FnOnce(&mut Ui, f32),
+) -> egui::Response {
+    let row = ui.horizontal(|ui| {
         let wide = if face.look.projector() { 100.0 } else { 76.0 };
-        let (rect, _) = ui.allocate_exact_size(vec2(wide, face.look.button_height()), egui::Sense::hover());
+        let (rect, response) =
+            ui.allocate_exact_size(vec2(wide, face.look.button_height()), egui::Sense::hover());
         text_in(ui.painter(), rect, Align2::LEFT_CENTER, label, face.look.font(Text::Label), face.look.text);
         let room = ui.available_width();
         content(ui, room);
+        response
     });
+    row.inner
 }
 
 /// A check box.

@@ -14,8 +14,12 @@ use rasterscope_core::message::Value;
 use rasterscope_figure::theme::ThemeName;
 
 /// What the palette has beside the keys.
-pub(crate) const WITHOUT_KEY: [(&str, Command); 2] =
-    [("ui-file-reset", Command::Reset), ("ui-copy-values", Command::CopyValues)];
+pub(crate) const WITHOUT_KEY: [(&str, Command); 4] = [
+    ("ui-file-reset", Command::Reset),
+    ("ui-copy-values", Command::CopyValues),
+    ("ui-help-hints", Command::Hints),
+    ("ui-view-still", Command::Still),
+];
 
 /// Shows the menu bar.
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
@@ -40,6 +44,7 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
             });
             view(ui, face, frame);
             menu(ui, face, "ui-menu-help", |ui| {
+                item(ui, face, "ui-help-hints", "", true, Command::Hints);
                 item(ui, face, "ui-palette", "Ctrl+K", true, Command::Palette);
                 item(ui, face, "ui-help-keys", "F1", true, Command::Keys);
             });
@@ -72,6 +77,16 @@ fn item(ui: &mut Ui, face: &Face<'_>, name: &'static str, key: &str, enabled: bo
     let button =
         Button::new(face.say(name)).shortcut_text(RichText::new(key).font(face.look.font(Text::Small)));
     if ui.add_enabled(enabled, button).clicked() {
+        face.ask(command);
+        ui.close();
+    }
+}
+
+/// An entry that is on or off.
+fn switch(ui: &mut Ui, face: &Face<'_>, name: &'static str, key: &str, on: bool, command: Command) {
+    let mut now = on;
+    let text = if key.is_empty() { face.say(name) } else { format!("{} ({key})", face.say(name)) };
+    if ui.checkbox(&mut now, face.rich(text, Text::Label)).clicked() {
         face.ask(command);
         ui.close();
     }
@@ -122,6 +137,9 @@ fn view(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
         item(ui, face, "ui-key-bigger", "Ctrl++", true, Command::Bigger);
         item(ui, face, "ui-key-smaller", "Ctrl+-", true, Command::Smaller);
         item(ui, face, "ui-key-normal", "Ctrl+0", true, Command::TextSize(1.0));
+        ui.separator();
+        switch(ui, face, "ui-view-exact", "F2", frame.aids.exact, Command::Exact);
+        switch(ui, face, "ui-view-still", "", frame.aids.still, Command::Still);
     });
 }
 

@@ -1,11 +1,15 @@
 //! The shell: everything round the canvas that all labs share.
 
+mod algorithm;
 pub(crate) mod canvas;
 pub(crate) mod choices;
+mod halo;
 pub(crate) mod handles;
 pub(crate) mod header;
+pub(crate) mod hints;
 pub(crate) mod inspector;
 pub(crate) mod keys;
+mod lectures;
 pub(crate) mod menu;
 pub(crate) mod notice;
 mod outside;
@@ -13,16 +17,23 @@ pub(crate) mod palette;
 pub(crate) mod ribbon;
 pub(crate) mod timeline;
 
-use crate::presets::PresetInfo;
+use crate::{aids::Aids, presets::PresetInfo};
 use rasterscope_figure::theme::ThemeName;
 
 /// Windows narrower than this fold: choices into a drawer, the ribbon into a path.
 pub(crate) const NARROW: f32 = 1150.0;
 
+/// From this width on the panels at the sides are wider.
+pub(crate) const WIDE: f32 = 1640.0;
+/// From this width on step and listing stand side by side; at the first start of so large a window
+/// everything may be made bigger.
+pub(crate) const WIDEST: f32 = 2200.0;
+
 /// What the panels of one frame have in common.
 #[derive(Debug)]
 pub(crate) struct Frame<'a> {
     pub(crate) theme: ThemeName,
+    pub(crate) aids: Aids,
     pub(crate) can_undo: bool,
     pub(crate) can_redo: bool,
     pub(crate) narrow: bool,

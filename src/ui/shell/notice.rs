@@ -8,13 +8,19 @@ use crate::{
     widgets::text_in,
 };
 use egui::{Align2, Key, Rect, Role as Part, Sense, TextEdit, Ui, WidgetInfo, vec2};
-use rasterscope_core::explain::Role;
+use rasterscope_core::{explain::Role, message::Message};
+use rasterscope_figure::words::Words;
+
+/// How much bigger everything may be in a large window.
+const LARGE: f32 = 1.5;
 
 /// What lies under the ribbon.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Notice {
     /// Something failed; the document stays as it was.
     Failed(String),
+    /// What is drawn is not the scene: a product leaves the range of binary32.
+    Beyond(String),
     /// Something worked that leaves no trace on the screen.
     Done(String),
     /// There are unsaved edits, and something would take them away.
@@ -23,6 +29,8 @@ pub(crate) enum Notice {
     Back,
     /// There is unsaved work of another time.
     Aside,
+    /// The window is so large that everything could be bigger.
+    Large,
     /// A path is asked for.
     Path {
         /// What for.
@@ -38,7 +46,9 @@ impl Notice {
     /// Its sentence and the buttons that answer it, but for a path.
     fn says(&self, face: &Face<'_>) -> (String, Vec<(&'static str, Command)>) {
         match self {
-            Self::Failed(text) | Self::Done(text) => (text.clone(), vec![("ui-dismiss", Command::Dismiss)]),
+            Self::Failed(text) | Self::Beyond(text) | Self::Done(text) => {
+                (text.clone(), vec![("ui-dismiss", Command::Dismiss)])
+            }
             Self::Unsaved(_) => (
                 face.say("ui-unsaved"),
                 vec![
@@ -59,7 +69,27 @@ impl Notice {
                     ("ui-later", Command::Dismiss),
                 ],
             ),
+            Self::Large => (
+                face.say("ui-large"),
+                vec![("ui-large-yes", Command::TextSize(LARGE)), ("ui-large-no", Command::Dismiss)],
+            ),
             Self::Path { .. } => (String::new(), Vec::new()),
+        }
+    }
+}
+
+/// What was said of what cannot be drawn as it is.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Beyond {
+    told: Option<Message>,
+}
+
+impl Beyond {
+    /// Says it once, when nothing else is being said, and takes it back when it is over.
+    pub(crate) fn tell(&mut self, now: Option<&Message>, notice: &mut Option<Notice>, words: &Words) {
+        if self.told.as_ref() != now && matches!(notice, None | Some(Notice::Beyond(_))) {
+            *notice = now.map(|message| Notice::Beyond(words.message(message)));
+            self.told = now.cloned();
         }
     }
 }
@@ -73,10 +103,10 @@ pub(crate) fn height(face: &Face<'_>) -> f32 {
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, notice: &mut Notice) {
     let rect = ui.max_rect();
     let bar = match notice {
-        Notice::Failed(_) => Some(Role::Rejected),
+        Notice::Failed(_) | Notice::Beyond(_) => Some(Role::Rejected),
         Notice::Done(_) => Some(Role::Accepted),
         Notice::Unsaved(_) | Notice::Back | Notice::Aside => Some(Role::Changed),
-        Notice::Path { .. } => None,
+        Notice::Large | Notice::Path { .. } => None,
     };
     let color = bar.map_or(face.look.text, |role| face.look.role(role));
     ui.painter().rect_filled(Rect::from_min_size(rect.min, vec2(4.0, rect.height())), 0, color);

@@ -53,7 +53,7 @@ fn all(ui: &Ui, face: &Face<'_>, frame: &Frame<'_>) -> Vec<Entry> {
         add(of("ui-palette-level", face.say(keys::level(level))), Command::Level(level));
     }
     for lab in labs::ALL {
-        add(of("ui-palette-lab", face.words.word(lab.name)), Command::Stage(lab.stage));
+        add(of("ui-palette-lab", face.words.word(lab.name)), Command::Lab(lab.name));
     }
     for preset in frame.presets {
         add(of("ui-palette-preset", preset.title.clone()), Command::Preset(preset.name));

@@ -97,7 +97,8 @@ fn press(ui: &Ui, face: &Face<'_>, at: Rect, chip: &Chip) -> Response {
     if response.clicked() {
         face.ask(Command::Stage(chip.stage));
     }
-    let mut all = line(face, chip);
+    let meaning = face.words.meaning(chip.stage.word()).unwrap_or_default();
+    let mut all = format!("{meaning}\n{}", line(face, chip));
     if let Some(skipped) = &chip.skipped {
         all = format!("{all}\n{skipped}");
     }

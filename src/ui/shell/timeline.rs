@@ -191,22 +191,23 @@ fn plain(marker: Marker) -> bool {
 
 /// Names below the bar, as many as fit; the one of the current step first and strong.
 fn labels(painter: &Painter, face: &Face<'_>, bar: Rect, shown: &Shown, x_of: impl Fn(usize) -> f32) {
-    let named =
-        || shown.markers.iter().filter_map(|(step, marker)| Some((*step, marker.role, marker.label?)));
-    let current = named().filter(|(step, ..)| *step <= shown.cursor).map(|(step, ..)| step).next_back();
+    let role_at = |step: usize| {
+        let at = shown.markers.binary_search_by_key(&step, |(step, _)| *step).ok();
+        at.map_or(Role::Neutral, |at| shown.markers[at].1.role)
+    };
+    let current = shown.captions.iter().rposition(|(step, _)| *step <= shown.cursor);
     let mut taken: Vec<Rect> = Vec::new();
-    let order = named()
-        .filter(|(step, ..)| Some(*step) == current)
-        .chain(named().filter(|(s, ..)| Some(*s) != current));
-    for (step, role, label) in order {
-        let now = Some(step) == current;
+    let others = (0..shown.captions.len()).filter(|i| Some(*i) != current);
+    for i in current.into_iter().chain(others) {
+        let (now, (step, caption)) = (Some(i) == current, &shown.captions[i]);
+        let (step, role) = (*step, role_at(*step));
         let font = face.look.font(if now { Text::LabelStrong } else { Text::Small });
         let color = match role {
             Role::Accepted | Role::Rejected | Role::Tie => face.look.role(role),
             _ if now => face.look.text,
             _ => face.look.dim,
         };
-        let galley = painter.layout_no_wrap(face.say(label), font, color);
+        let galley = painter.layout_no_wrap(face.words.message(caption), font, color);
         let half = galley.size().x / 2.0;
         let x = x_of(step).clamp(bar.left() + half - 12.0, bar.right() - half + 12.0);
         let at = Rect::from_center_size(pos2(x, bar.bottom() + 17.0), galley.size());

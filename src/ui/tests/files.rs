@@ -88,3 +88,54 @@ fn a_model_opens_in_the_overview() {
     assert_eq!(app.document.scene.draws.len(), 1);
     assert_eq!(app.document.input().name(), "pipeline");
 }
+
+#[test]
+fn a_product_that_leaves_binary32_is_told_until_it_is_back_in_range() {
+    let mut window = window(1280.0, 720.0);
+    let said = |window: &Window| match &window.state().app().notice {
+        Some(Notice::Beyond(text)) => Some(text.clone()),
+        _ => None,
+    };
+    let stretch = |window: &mut Window, scale: f32| {
+        let Desk { app, .. } = window.state_mut();
+        let draw = &mut app.as_mut().expect("made").document.scene.draws[1];
+        draw.transform = rasterscope_core::scene::Transform::Parts {
+            translate: [0.0; 3],
+            rotate_degrees: [0.0; 3],
+            scale: [scale; 3],
+        };
+        window.run();
+    };
+    stretch(&mut window, 3e38);
+    assert!(said(&window).is_some_and(|text| text.contains("draws[1]: the vertices of B leave")));
+    click(&mut window, "Dismiss");
+    window.run();
+    assert_eq!(said(&window), None, "it is said once");
+    stretch(&mut window, 2e38);
+    assert_eq!(said(&window), None);
+    stretch(&mut window, 1.0);
+    stretch(&mut window, 3e38);
+    assert!(said(&window).is_some());
+    stretch(&mut window, 1.0);
+    assert_eq!(window.state().app().notice, None);
+}
+
+#[test]
+fn a_full_disk_leaves_the_old_file_and_the_edit() {
+    let mut window = window_with("cohen-sutherland");
+    let ctx = window.ctx.clone();
+    let save = |window: &mut Window| {
+        let Desk { app, platform } = window.state_mut();
+        app.as_mut().expect("made").execute(&ctx, vec![Command::SaveAs("a.json".into())], platform);
+        window.run();
+    };
+    save(&mut window);
+    let old = window.state().platform.files["a.json"].clone();
+    window.state_mut().app_mut().document.scene.clear.depth = 0.25;
+    window.state_mut().platform.full = true;
+    save(&mut window);
+    let text = failure(&window).unwrap_or_default();
+    assert_eq!(text, "a.json cannot be written: the disk is full. Save under another path.");
+    assert!(window.state().app().modified());
+    assert_eq!(window.state().platform.files["a.json"], old);
+}

@@ -194,3 +194,24 @@ fn a_full_disk_is_said_once() {
     wait(&mut window);
     assert_eq!(notice(&window), None);
 }
+
+#[test]
+fn work_whose_model_is_gone_is_set_aside() {
+    let mut before = window(1280.0, 720.0);
+    let model = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec();
+    before.state_mut().platform.files.insert("a.obj".into(), model.clone());
+    ask(&mut before, Command::Open("a.obj".into()));
+    edit(&mut before);
+    wait(&mut before);
+    let mut platform = killed(before);
+    platform.files.clear();
+    let mut without = window_on(1280.0, 720.0, platform);
+    assert!(matches!(notice(&without), Some(Notice::Failed(text)) if text.contains("a.obj")));
+    wait(&mut without);
+    let mut platform = killed(without);
+    platform.files.insert("a.obj".into(), model);
+    let mut after = window_on(1280.0, 720.0, platform);
+    assert_eq!(notice(&after), Some(Notice::Aside), "nothing has written over it");
+    click(&mut after, "Bring it back");
+    assert_eq!(depth(&after), 0.25);
+}

@@ -178,3 +178,38 @@ fn the_camera_outside_turns_and_comes_nearer() {
     assert!(turned.yaw != before.yaw && turned.pitch != before.pitch && turned.distance == before.distance);
     assert!(!window.state().app().history.can_undo(), "the view is no document");
 }
+
+#[test]
+fn a_stage_opens_the_algorithm_that_was_open_last() {
+    let name = |window: &Window| window.state().app().document.input().name();
+    let mut window = window_with("cohen-sutherland");
+    click(&mut window, "Algorithm: Cohen–Sutherland");
+    click(&mut window, "Liang–Barsky");
+    assert_eq!(name(&window), "liang-barsky");
+    window.get_by_label_contains("Image: ").click();
+    window.run();
+    assert_eq!(name(&window), "pipeline");
+    window.get_by_label_contains("Clip: ").click();
+    window.run();
+    assert_eq!(name(&window), "liang-barsky", "not the first one of the stage");
+    window.key_press_modifiers(Modifiers::COMMAND, Key::PageUp);
+    window.run();
+    assert_eq!(name(&window), "cohen-sutherland");
+}
+
+#[test]
+fn every_lab_has_its_sentence() {
+    let words = rasterscope_figure::words::Words::default();
+    for lab in rasterscope_core::labs::ALL {
+        assert!(words.has(lab.name) && words.has(&format!("{}-about", lab.name)), "{}", lab.name);
+    }
+}
+
+#[test]
+fn the_triangles_of_a_run_are_named_on_the_timeline() {
+    let window = window_with("z-buffer");
+    let app = window.state().app();
+    let captions = &app.run.shown().expect("it runs").captions;
+    let captions: Vec<String> = captions.iter().map(|(_, caption)| app.words.message(caption)).collect();
+    assert_eq!(captions, ["A.1", "A.2", "B"]);
+}

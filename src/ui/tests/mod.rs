@@ -3,6 +3,7 @@
 mod editing;
 mod export;
 mod files;
+mod heavy;
 mod keeping;
 mod keys;
 mod labs;
@@ -25,6 +26,8 @@ struct Memory {
     kept: BTreeMap<String, Vec<u8>>,
     writes: usize,
     full: bool,
+    /// Whether the hints of a first start are wanted.
+    hints: bool,
     /// Whether work waits for [`Memory::work`]; else it is done at once.
     lazy: bool,
     waiting: Vec<Box<dyn FnOnce() + Send>>,
@@ -46,6 +49,9 @@ impl Platform for Memory {
     fn write(&mut self, path: &str, bytes: &[u8]) -> io::Result<()> {
         if path.starts_with("/read-only/") {
             return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the folder is read-only"));
+        }
+        if self.full {
+            return Err(io::ErrorKind::StorageFull.into());
         }
         self.files.insert(path.to_owned(), bytes.to_owned());
         Ok(())
@@ -125,6 +131,7 @@ fn window_on(width: f32, height: f32, platform: Memory) -> Window {
                 let app = app.get_or_insert_with(|| {
                     let mut app = App::new(ui.ctx());
                     app.start(ui.ctx(), None, platform);
+                    app.view.aids.hints &= platform.hints;
                     app
                 });
                 app.ui(&mut whole, platform);

@@ -91,9 +91,12 @@ const _: () = assert!(size_of::<Event>() <= 16);
 ///
 /// The answer is exact: decided by exact signs, each cut coordinate correctly rounded. A segment
 /// of length zero is a point. Costs a few comparisons if it is wholly inside or beyond one
-/// border, else at most four quotients.
+/// border, else four orientations and four quotients at once.
+///
+/// Inlined: where there is nothing to cut, a call would cost more than the rest.
+#[inline(always)]
 pub fn clip(segment: Segment, window: &Window) -> Option<Segment> {
-    clip_traced(segment, window, Arithmetic::Exact, &mut Tally::default(), &mut NoTrace)
+    run(Exact::new(&segment, window, &mut Tally::default()), Mistakes::NONE, &mut NoTrace)
 }
 
 /// [`clip`] in any arithmetic as a run that can be scrubbed.
@@ -123,7 +126,7 @@ pub fn clip_traced<T: Tracer<Event>>(
 ) -> Option<Segment> {
     let Settings { arithmetic, mistakes } = settings.into();
     match arithmetic {
-        Arithmetic::Exact | Arithmetic::Fixed8 => run(Exact::new(segment, window, tally), mistakes, t),
+        Arithmetic::Exact | Arithmetic::Fixed8 => run(Exact::new(&segment, window, tally), mistakes, t),
         Arithmetic::F32 => clip_taught::<f32, T>(segment, window, mistakes, t),
         Arithmetic::F64 => clip_taught::<f64, T>(segment, window, mistakes, t),
     }
@@ -140,32 +143,65 @@ pub fn clip_taught<R: Real, T: Tracer<Event>>(
 }
 
 /// The text of the algorithm, in any form of arithmetic.
+///
+/// Cutting at the first differing bit is going through the borders in the order of the bits. In exact
+/// arithmetic no bit comes back, so once is enough: when the codes agree above and below, both ends are
+/// between these borders, and a cut at the right or the left stays between them.
+#[inline(always)]
 fn run<F: Form, T: Tracer<Event>>(mut ends: F, mistakes: Mistakes, t: &mut T) -> Option<Segment> {
     let mut codes = End::ALL.map(|end| {
         let code = ends.code(end);
         t.emit(|| Event::Code { end, code });
         code
     });
-    for _ in 0..=MOST_CUTS {
-        let [c1, c2] = codes;
-        t.emit(|| Event::Or { code: Outcode(c1.0 | c2.0) });
-        if c1.0 | c2.0 == 0 {
-            t.emit(|| Event::Accept);
-            return Some(ends.segment());
+    if is_rejected(codes, mistakes, t) {
+        return None;
+    }
+    if codes != [Outcode(0); 2] {
+        ends.begin();
+    }
+    'again: for _ in 0..=MOST_CUTS {
+        for border in Border::ALL {
+            let [c1, c2] = codes;
+            let end = End::beyond(border, codes);
+            // Untraced and exact, cutting nothing costs less than a branch that cannot be foreseen.
+            if (T::ENABLED || F::ROUNDS) && !Outcode(c1.0 ^ c2.0).has(border) {
+                continue;
+            }
+            t.emit(|| Event::Choose { border, end });
+            codes = ends.cut(border, codes);
+            t.emit(|| Event::Cut {
+                border,
+                end,
+                code: codes[end as usize],
+                to: ends.segment()[end as usize],
+            });
+            if is_rejected(codes, mistakes, t) {
+                return None;
+            }
+            if F::ROUNDS {
+                continue 'again;
+            }
         }
-        let shared = if mistakes.has(Mistake::OrForAnd) { c1.0 | c2.0 } else { c1.0 & c2.0 };
-        t.emit(|| Event::And { code: Outcode(shared) });
-        if shared != 0 {
-            t.emit(|| Event::Reject);
-            return None;
-        }
-        let Some(border) = Outcode(c1.0 ^ c2.0).first() else { break };
-        let end = if c1.has(border) { End::P1 } else { End::P2 };
-        t.emit(|| Event::Choose { border, end });
-        let code = ends.cut(end, border);
-        t.emit(|| Event::Cut { border, end, code, to: ends.segment()[end as usize] });
-        codes[end as usize] = code;
+        t.emit(|| Event::Accept);
+        return Some(ends.segment());
     }
     t.emit(|| Event::GiveUp);
     None
+}
+
+/// Whether both ends lie beyond one border.
+#[inline(always)]
+fn is_rejected<T: Tracer<Event>>([c1, c2]: [Outcode; 2], mistakes: Mistakes, t: &mut T) -> bool {
+    let [or, and] = [Outcode(c1.0 | c2.0), Outcode(c1.0 & c2.0)];
+    let and = if mistakes.has(Mistake::OrForAnd) { or } else { and };
+    t.emit(|| Event::Or { code: or });
+    if or.0 == 0 {
+        return false;
+    }
+    t.emit(|| Event::And { code: and });
+    if and.0 != 0 {
+        t.emit(|| Event::Reject);
+    }
+    and.0 != 0
 }

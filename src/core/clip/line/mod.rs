@@ -8,6 +8,7 @@
 
 pub mod cohen_sutherland;
 mod convex;
+mod crossings;
 pub mod cyrus_beck;
 pub(in crate::clip) mod intersection;
 pub mod liang_barsky;
@@ -99,12 +100,9 @@ impl Window {
     /// The constant coordinate of a border.
     #[inline]
     pub fn at(&self, border: Border) -> f32 {
-        match border {
-            Border::Top => self.ymax,
-            Border::Bottom => self.ymin,
-            Border::Right => self.xmax,
-            Border::Left => self.xmin,
-        }
+        // Without a jump, which a processor could not foresee: an upper border is an even one.
+        let [min, max] = self.sides(border.axis());
+        if (border as u8).is_multiple_of(2) { max } else { min }
     }
 
     /// Minimum and maximum of x (axis 0) or y (axis 1).
@@ -220,6 +218,12 @@ impl End {
             Self::P1 => Self::P2,
             Self::P2 => Self::P1,
         }
+    }
+
+    /// Of two ends with different codes, the one beyond a border at which they differ.
+    #[inline(always)]
+    fn beyond(border: Border, [c1, _]: [Outcode; 2]) -> Self {
+        if c1.has(border) { Self::P1 } else { Self::P2 }
     }
 }
 

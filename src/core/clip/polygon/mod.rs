@@ -7,8 +7,38 @@ pub mod sutherland_hodgman;
 
 pub use clip_space::{Corner, Origin, Polygon, clip_triangle};
 
-use crate::{math::Real, transform::DepthRange};
-use serde::Serialize;
+use crate::{
+    math::{Arithmetic, Real},
+    transform::DepthRange,
+};
+use serde::{Deserialize, Serialize};
+
+/// The algorithms that clip a polygon against a rectangular window.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Algorithm {
+    /// Side by side: [`sutherland_hodgman`].
+    #[default]
+    SutherlandHodgman,
+}
+
+impl Algorithm {
+    /// Every algorithm, the default first.
+    pub const ALL: [Self; 1] = [Self::SutherlandHodgman];
+
+    /// The name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::SutherlandHodgman => "sutherland-hodgman",
+        }
+    }
+
+    /// What it can compute in. Fixed point is for scan conversion.
+    pub fn arithmetics(self) -> &'static [Arithmetic] {
+        match self {
+            Self::SutherlandHodgman => &[Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64],
+        }
+    }
+}
 
 /// A border of the visible part of clip space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
@@ -46,7 +76,7 @@ impl Plane {
 }
 
 /// Which planes clip.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PlaneSet {
     /// All six.

@@ -2,7 +2,8 @@
 
 use super::{Degeneracy, Event, Input, Numbers, Outcome, Test, Why, formulas, picture};
 use crate::{
-    cull::{CullMode, Facing, FrontFace},
+    compare::Fact,
+    cull::Facing,
     explain::{Explain, Formula, Level, Mark, Marker, Operations, Role, Row, Table, View},
     message::{Message, Value},
     replay::State,
@@ -290,6 +291,20 @@ impl Explain for Snapshot {
     fn view(&self) -> View {
         picture::view(self)
     }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        for (test, known) in Test::ALL.into_iter().zip(&self.known) {
+            if let Some(answer) = known.answer {
+                let values =
+                    vec![("s", known.value.into()), ("column-back-face-answer", answer_word(answer))];
+                out.push(Fact::named(row_name(test), values));
+            }
+        }
+        out.extend(
+            self.fate
+                .map(|(_, culled)| Fact::answer(if culled { "back-face-culled" } else { "back-face-kept" })),
+        );
+    }
 }
 
 /// The id of a short name of a test, for the timeline.
@@ -348,15 +363,7 @@ impl Snapshot {
 
     fn conventions(&self) -> Table {
         let settings = &self.input.settings;
-        let front = match settings.front {
-            FrontFace::Ccw => "back-face-ccw",
-            FrontFace::Cw => "back-face-cw",
-        };
-        let cull = match settings.cull {
-            CullMode::None => "back-face-cull-none",
-            CullMode::Back => "back-face-cull-back",
-            CullMode::Front => "back-face-cull-front",
-        };
+        let [front, cull] = [settings.front.word(), settings.cull.word()];
         let row = |name, word| Row::new(name, vec![Value::Word(word)]);
         Table {
             title: "back-face-conventions",

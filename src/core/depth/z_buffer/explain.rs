@@ -4,7 +4,10 @@ use super::{Event, Snapshot, snapshot::Fragment};
 use crate::{
     compare::Fact,
     depth::{CompareFunction, DepthFormat},
-    explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Piece, Role, Row, Table, View},
+    explain::{
+        Explain, Formula, Label, Level, MOST_PIXELS, Mark, Marker, Operations, Piece, Role, Row, Sign, Table,
+        View,
+    },
     message::{Message, Value},
     raster::view::view_of,
 };
@@ -14,6 +17,8 @@ const SHOWS_CLEAR: usize = 1024;
 /// What a pixel held, what comes to it, what it holds then: message ids.
 const ROWS: [&str; 3] = ["row-before", "row-arrives", "row-after"];
 
+/// Of more triangles only the last ones are counted one by one.
+const MOST_COUNTS: usize = 4096;
 /// Of more triangles only the one being drawn has an outline: the others would hide the image.
 const MOST_OUTLINES: usize = 64;
 
@@ -63,6 +68,12 @@ impl Explain for Snapshot {
             _ => return None,
         };
         Some(Marker { role, label })
+    }
+
+    fn caption(&self, event: &Event) -> Option<Message> {
+        let label = Self::marker(event)?.label?;
+        let Event::Triangle { index } = *event else { return None };
+        Some(Message::new(label).with("object", self.name_of(Some(index))))
     }
 
     fn opening(&self) -> Message {
@@ -122,7 +133,8 @@ impl Explain for Snapshot {
             ];
             out.push(Table { title: "z-buffer-bits", columns: vec!["column-bits"], rows });
         }
-        let rows = self.counts.iter().zip(0..).map(|([passed, failed], index)| {
+        let first = self.counts.len().saturating_sub(MOST_COUNTS);
+        let rows = self.counts.iter().zip(0..).skip(first).map(|([passed, failed], index)| {
             let name = &self.names[index as usize].text;
             Row::new(name, vec![(passed + failed).into(), (*passed).into(), (*failed).into()])
                 .active(self.triangle == Some(index))
@@ -148,6 +160,7 @@ impl Explain for Snapshot {
         if let Some(fragment) = self.fragment {
             out.push(self.cell([fragment.x, self.y], Role::Active));
         }
+        self.legend(out);
     }
 
     fn view(&self) -> View {
@@ -276,9 +289,41 @@ impl Snapshot {
         Mark::Pixel { at: pixel.map(|n| n as i32), role, object, value }
     }
 
+    /// What ticks, crosses and outlines mean.
+    fn legend(&self, out: &mut Vec<Mark>) {
+        if self.triangle.is_none() {
+            return;
+        }
+        let mut key = |role, sign, id, name: Value| {
+            out.push(Mark::Key { role, sign, meaning: Message::new(id).with("object", name) });
+        };
+        key(Role::Accepted, Sign::Marker, "z-buffer-key-passed", self.name());
+        key(Role::Rejected, Sign::Marker, "z-buffer-key-failed", self.name());
+        key(Role::Neutral, Sign::Line, "z-buffer-key-object", self.name());
+        let others: Vec<u32> = (0..)
+            .zip(self.names.iter())
+            .map(|(index, _)| index)
+            .filter(|i| Some(*i) != self.triangle)
+            .collect();
+        match others[..] {
+            [] => {}
+            [other] => key(Role::Candidate, Sign::Line, "z-buffer-key-object", self.name_of(Some(other))),
+            _ => key(Role::Candidate, Sign::Line, "z-buffer-key-others", Value::None),
+        }
+    }
+
     /// What every pixel holds; a tick or a cross where the triangle was tested.
     fn mark_cells(&self, out: &mut Vec<Mark>) {
         let [width, height] = self.settings.raster.size;
+        if self.image.shown() > MOST_PIXELS {
+            for y in 0..height {
+                self.mark_runs(y, width, out);
+            }
+            // Of the triangle's verdicts only those of the row in hand.
+            let here = self.verdicts.iter().filter(|([_, y], _)| u32::from(*y) == self.y);
+            out.extend(here.map(|([x, y], passed)| self.verdict_cell([*x, *y], *passed)));
+            return;
+        }
         let shows_clear = self.image.depth.codes().len() <= SHOWS_CLEAR;
         for y in 0..height {
             for x in 0..width {
@@ -288,9 +333,25 @@ impl Snapshot {
                 }
             }
         }
-        for &([x, y], passed) in &self.verdicts {
-            let role = if passed { Role::Accepted } else { Role::Rejected };
-            out.push(self.cell([x, y].map(u32::from), role));
+        out.extend(self.verdicts.iter().map(|(pixel, passed)| self.verdict_cell(*pixel, *passed)));
+    }
+
+    fn verdict_cell(&self, pixel: [u16; 2], passed: bool) -> Mark {
+        self.cell(pixel.map(u32::from), if passed { Role::Accepted } else { Role::Rejected })
+    }
+
+    /// The objects that a row shows.
+    fn mark_runs(&self, y: u32, width: u32, out: &mut Vec<Mark>) {
+        let object = |x| self.image.owner([x, y]).map(|owner| self.names[owner as usize].object);
+        let mut begin = 0;
+        while begin < width {
+            let shown = object(begin);
+            let end = (begin + 1..width).find(|x| object(*x) != shown).unwrap_or(width);
+            if shown.is_some() {
+                let [y, begin, end] = [y, begin, end].map(|n| n as i32);
+                out.push(Mark::Run { y, begin, end, role: Role::Neutral, object: shown });
+            }
+            begin = end;
         }
     }
 }

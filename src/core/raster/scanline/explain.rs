@@ -3,7 +3,9 @@
 use super::{Between, Event, Side, fill};
 use crate::{
     compare::Fact,
-    explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
+    explain::{
+        Explain, Formula, Label, Level, MOST_PIXELS, Mark, Marker, Operations, Role, Row, Table, View,
+    },
     math::Tally,
     message::{Message, Value},
     raster::{Settings, Span, view::view_of},
@@ -238,11 +240,19 @@ impl Explain for Snapshot {
     }
 
     fn marks(&self, event: Option<&Event>, out: &mut Vec<Mark>) {
+        let many =
+            self.outcome.iter().map(|span| (span.end - span.begin) as usize).sum::<usize>() > MOST_PIXELS;
         for row in &self.rows {
             let begin = row.span.map_or(0, |[begin, _]| begin);
-            out.extend((begin..begin + row.drawn).map(|x| pixel(x, row.y, Role::Accepted, Some(0))));
+            let drawn = begin..begin + row.drawn;
+            if many {
+                let [begin, end] = [drawn.start, drawn.end].map(|x| x as i32);
+                out.push(Mark::Run { y: row.y as i32, begin, end, role: Role::Accepted, object: Some(0) });
+            } else {
+                out.extend(drawn.map(|x| pixel(x, row.y, Role::Accepted, Some(0))));
+            }
         }
-        if !self.rows.is_empty() {
+        if !self.rows.is_empty() && !many {
             self.mark_pending(out);
         }
         if self.given != self.vertices {

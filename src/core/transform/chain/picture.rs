@@ -233,6 +233,13 @@ impl Snapshot {
         let reached = |space: &Space| self.at(*space).iter().all(Option::is_some);
         let space = Space::ALL.into_iter().rfind(reached).unwrap_or(Space::Object);
         for side in [0, 1] {
+            let plotted = side == 1 && matches!(space, Space::Ndc | Space::Screen);
+            if plotted && self.curves(space, MIDDLE[side], HALF, out) {
+                let at = [MIDDLE[side][0] - HALF - 0.2, MIDDLE[side][1] + HALF + 0.5];
+                let label = Label::new("", Value::Word("transform-depth-against-distance"));
+                out.push(Mark::Text { at, label, role: Role::Neutral, big: false });
+                continue;
+            }
             let square = self.square(space, side, MIDDLE[side], HALF);
             let corners = square.corners();
             let title = match (side, space) {

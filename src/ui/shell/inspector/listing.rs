@@ -2,6 +2,7 @@
 
 use crate::{
     face::{Command, Face},
+    link::Thing,
     run::Shown,
     theme::Text,
     widgets::focus_ring,
@@ -29,11 +30,14 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown) {
         if !ui.is_rect_visible(rect) {
             continue;
         }
+        if response.hovered() {
+            face.links.point_at(Thing::Line(name.to_owned()));
+        }
         if lit {
             ui.painter().rect_filled(rect, 0, look.lit);
             let bar = if look.now == look.lit { look.text } else { look.now };
             ui.painter().rect_filled(Rect::from_min_size(rect.min, vec2(4.0, size.y)), 0, bar);
-        } else if response.hovered() {
+        } else if response.hovered() || face.links.line(name) {
             ui.painter().rect_filled(rect, 0, look.raised);
         }
         let number = if lit { look.text } else { look.dim };

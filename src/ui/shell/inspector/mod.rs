@@ -1,5 +1,6 @@
 //! The inspector: what just happened, the pseudocode, every value, the chosen pixel.
 
+mod exact;
 mod listing;
 mod pixel;
 mod step;
@@ -149,10 +150,10 @@ fn tabs(ui: &mut Ui, face: &Face<'_>, rect: Rect, view: &mut ViewState, pixels: 
     // Only the whole scene has a history of its pixels.
     let all = &all[..if pixels { 4 } else { 3 }];
     let width = rect.width() / all.len() as f32;
-    for (i, &(tab, name)) in all.iter().enumerate() {
+    for (i, &(tab, id)) in all.iter().enumerate() {
         let at = Rect::from_min_size(rect.min + vec2(i as f32 * width, 0.0), vec2(width, rect.height()));
-        let response = ui.interact(at, ui.scope_id().with(name), Sense::click());
-        let (chosen, name) = (view.tab == tab, face.say(name));
+        let response = ui.interact(at, ui.scope_id().with(id), Sense::click());
+        let (chosen, name) = (view.tab == tab, face.say(id));
         response.widget_info(|| WidgetInfo::selected(Part::Tab, true, chosen, &name));
         if response.hovered() && !chosen {
             ui.painter().rect_filled(at, 0, face.look.field);
@@ -165,7 +166,7 @@ fn tabs(ui: &mut Ui, face: &Face<'_>, rect: Rect, view: &mut ViewState, pixels: 
             ui.painter().rect_filled(foot, 0, face.look.text);
         }
         focus_ring(ui, &response, at.shrink(1.0), face.look);
-        if response.clicked() {
+        if face.explain(response, id).clicked() {
             view.tab = tab;
         }
     }

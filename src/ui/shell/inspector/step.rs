@@ -3,7 +3,7 @@
 use super::{Digest, inset, listing, part_line, table};
 use crate::{face::Face, run::Shown, theme::Text};
 use egui::{
-    Ui,
+    Stroke, Ui, UiBuilder,
     text::{LayoutJob, TextFormat},
 };
 use rasterscope_figure::tables::{Run as Piece, TextTable};
@@ -11,8 +11,33 @@ use rasterscope_figure::tables::{Run as Piece, TextTable};
 /// Most rows of a table that the digest shows; the tab Values shows all.
 const MOST_ROWS: usize = 9;
 
+/// From this width on the listing stands beside the rest.
+const BESIDE: f32 = 620.0;
+
 /// Shows the digest.
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown, digest: &Digest) {
+    if ui.available_width() < BESIDE {
+        happened(ui, face, digest);
+        part_line(ui, face);
+        return listing::show(ui, face, shown);
+    }
+    let rect = ui.available_rect_before_wrap();
+    let middle = ui.painter().round_to_pixel_center(rect.left() + rect.width() * 0.54);
+    let [left, right] = [rect.with_max_x(middle), rect.with_min_x(middle + 1.0)];
+    let mut end = rect.top();
+    for (part, half) in [left, right].into_iter().enumerate() {
+        let inner = ui.scope_builder(UiBuilder::new().max_rect(half), |ui| {
+            ui.set_width(half.width());
+            if part == 0 { happened(ui, face, digest) } else { listing::show(ui, face, shown) }
+        });
+        end = inner.response.rect.bottom().max(end);
+    }
+    let foot = end.max(ui.clip_rect().bottom());
+    ui.painter().vline(middle, rect.top()..=foot, Stroke::new(1.0, face.look.line));
+}
+
+/// Sentence, formulas and the values that they are about.
+fn happened(ui: &mut Ui, face: &Face<'_>, digest: &Digest) {
     inset(ui, |ui| {
         ui.add_space(12.0);
         sentence(ui, face, &digest.sentence);
@@ -33,8 +58,6 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown, digest: &Digest)
         part_line(ui, face);
         table::show(ui, face, one, Some(MOST_ROWS), i == 0);
     }
-    part_line(ui, face);
-    listing::show(ui, face, shown);
 }
 
 /// What just happened; what it is about is bold.

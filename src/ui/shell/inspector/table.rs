@@ -1,8 +1,10 @@
 //! A table of values: numbers right-aligned under each other, changed ones marked.
 
-use super::inset;
-use crate::{face::Face, paint, theme::Text};
-use egui::{Align2, Color32, FontId, Rect, Role as Part, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use super::{exact, inset};
+use crate::{face::Face, link::Thing, paint, theme::Text};
+use egui::{
+    Align2, Color32, FontId, Rect, Response, Role as Part, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
 use rasterscope_core::explain::Role;
 use rasterscope_figure::{
     numbers,
@@ -10,7 +12,7 @@ use rasterscope_figure::{
 };
 
 /// Room at both edges.
-const INSET: f32 = 16.0;
+pub(super) const INSET: f32 = 16.0;
 /// Least room between two columns.
 const GAP: f32 = 12.0;
 
@@ -23,12 +25,18 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, table: &TextTable, most: Option
     title(ui, face, table, key);
     let rows = window(table, most);
     let columns = columns(ui, face, table, &table.rows[rows.clone()]);
-    heading(ui, face, table, &columns);
+    if !face.exact {
+        heading(ui, face, table, &columns);
+    }
     if rows.start > 0 {
         more(ui, face, rows.start);
     }
     for row in &table.rows[rows.clone()] {
-        show_row(ui, face, row, &columns);
+        if face.exact {
+            exact::show(ui, face, table, row);
+        } else {
+            show_row(ui, face, table, row, &columns);
+        }
     }
     if rows.end < table.rows.len() {
         more(ui, face, table.rows.len() - rows.end);
@@ -48,7 +56,7 @@ fn window(table: &TextTable, most: Option<usize>) -> std::ops::Range<usize> {
 }
 
 /// Whether a cell says something that it did not say before; that a value ended is no news.
-fn news(cell: &TextCell) -> bool {
+pub(super) fn news(cell: &TextCell) -> bool {
     cell.changed && !cell.text.is_empty() && cell.text != numbers::UNDEFINED
 }
 
@@ -60,7 +68,10 @@ pub(super) fn changed(row: &TextRow) -> bool {
 fn title(ui: &mut Ui, face: &Face<'_>, table: &TextTable, key: bool) {
     inset(ui, |ui| {
         ui.horizontal(|ui| {
-            ui.label(face.dim(&table.title, Text::LabelStrong));
+            let title = ui.label(face.dim(&table.title, Text::LabelStrong));
+            if let Some(meaning) = table.meanings.first().cloned().flatten() {
+                title.on_hover_text(meaning);
+            }
             if key && table.rows.iter().any(changed) {
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                     let color = face.look.role(Role::Changed);
@@ -73,10 +84,14 @@ fn title(ui: &mut Ui, face: &Face<'_>, table: &TextTable, key: bool) {
     });
 }
 
+/// Whether a cell holds words, not numbers.
+fn is_words(text: &str) -> bool {
+    text.chars().filter(|c| c.is_lowercase()).count() > 2
+}
+
 /// The font of a cell; `dense` where a row would not fit otherwise.
 fn font(face: &Face<'_>, text: &str, strong: bool, dense: bool) -> FontId {
-    let words = text.chars().filter(|c| c.is_lowercase()).count() > 2;
-    face.look.font(match (words, strong) {
+    face.look.font(match (is_words(text), strong) {
         (true, _) if dense => Text::Small,
         (false, _) if dense => Text::SmallMono,
         (true, false) => Text::Label,
@@ -92,21 +107,45 @@ struct Columns {
     right: Vec<f32>,
     /// Whether the smallest font is needed.
     dense: bool,
+    /// How many columns stand with the name in a line of their own above the others, if any line
+    /// has to be folded.
+    above: Option<usize>,
 }
 
+impl Columns {
+    /// The first column that does not stand beside the name.
+    fn first(&self) -> usize {
+        self.above.unwrap_or(0)
+    }
+}
+
+/// In the usual font if that fits, else in the smallest, else in two lines a row.
 fn columns(ui: &Ui, face: &Face<'_>, table: &TextTable, rows: &[TextRow]) -> Columns {
     let room = ui.available_width() - 2.0 * INSET;
-    let wide = widths(ui, face, table, rows, false);
-    let dense = wide.iter().sum::<f32>() + GAP * (wide.len() as f32 - 1.0) > room;
-    let widths = if dense { widths(ui, face, table, rows, true) } else { wide };
+    let words = |row: &TextRow| row.cells.first().is_some_and(|cell| is_words(&cell.text));
+    let above = Some(usize::from(table.columns.len() > 1 && rows.iter().any(words)));
+    let measured = |dense: bool, above: Option<usize>| {
+        let mut widths = widths(ui, face, table, rows, dense);
+        widths.drain(..above.map_or(0, |above| above + 1));
+        (dense, above, widths)
+    };
+    let ways = [(false, None), (true, None), (false, above)];
+    let fits = |widths: &[f32]| widths.iter().sum::<f32>() + GAP * (widths.len() as f32 - 1.0) <= room;
+    let mut all = ways.into_iter().map(|(dense, above)| measured(dense, above));
+    let found = all.find(|(.., widths)| fits(widths));
+    let (dense, above, widths) = found.unwrap_or_else(|| measured(true, above));
     let gaps = (widths.len() as f32 - 1.0).max(1.0);
     let gap = ((room - widths.iter().sum::<f32>()) / gaps).max(4.0);
-    let mut right = INSET + widths[0];
-    let right = widths[1..].iter().map(|width| {
+    let mut right = INSET - if above.is_some() { gap } else { 0.0 };
+    let skip = usize::from(above.is_none());
+    if let Some(names) = widths.first().filter(|_| skip == 1) {
+        right += names;
+    }
+    let right = widths.iter().skip(skip).map(|width| {
         right += width + gap;
         right
     });
-    Columns { right: right.collect(), dense }
+    Columns { right: right.collect(), dense, above }
 }
 
 /// The width of the names, then of each column.
@@ -130,10 +169,25 @@ fn heading(ui: &mut Ui, face: &Face<'_>, table: &TextTable, columns: &Columns) {
         return;
     }
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
-    for (text, right) in table.columns.iter().zip(&columns.right) {
+    let headings = table.columns.iter().zip(table.meanings.iter().skip(1)).enumerate();
+    for ((i, (text, meaning)), right) in headings.skip(columns.first()).zip(&columns.right) {
         let at = pos2(rect.left() + right, rect.center().y);
         let font = font(face, text, false, columns.dense);
-        ui.painter().text(at, Align2::RIGHT_CENTER, text, font, face.look.dim);
+        let galley = ui.painter().layout_no_wrap(text.clone(), font, face.look.dim);
+        let place = Align2::RIGHT_CENTER.anchor_size(at, galley.size());
+        let id = ui.scope_id().with((&table.title, i));
+        let response = ui.interact(place.expand2(vec2(4.0, 2.0)), id, Sense::hover());
+        if response.hovered() {
+            face.links.point_at(Thing::Name(text.clone()));
+        }
+        if response.hovered() || face.links.name(text) && !text.is_empty() {
+            ui.painter().rect_filled(place.expand2(vec2(4.0, 2.0)), 3, face.look.raised);
+        }
+        ui.painter().galley(place.min, galley, face.look.dim);
+        if let Some(meaning) = meaning {
+            response.widget_info(|| WidgetInfo::labeled(Part::Label, true, format!("{text}: {meaning}")));
+            response.on_hover_text(meaning);
+        }
     }
 }
 
@@ -143,49 +197,101 @@ fn more(ui: &mut Ui, face: &Face<'_>, count: usize) {
     });
 }
 
-fn show_row(ui: &mut Ui, face: &Face<'_>, row: &TextRow, columns: &Columns) {
+/// A row in words, for who cannot see it.
+pub(super) fn spoken(row: &TextRow) -> WidgetInfo {
+    let cells: Vec<&str> = row.cells.iter().map(|cell| cell.text.as_str()).collect();
+    WidgetInfo::labeled(Part::Label, true, format!("{} {}", row.name, cells.join(" ")))
+}
+
+/// What lies under a row: lit, changed, or raised while the pointer is on what it is about.
+pub(super) fn ground(ui: &Ui, face: &Face<'_>, row: &TextRow, rect: Rect, response: &Response) {
     let look = face.look;
-    let height = look.line_height(Text::Mono) + if row.role.is_some() { 5.0 } else { 4.0 };
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
-    let line = || {
-        let cells: Vec<&str> = row.cells.iter().map(|cell| cell.text.as_str()).collect();
-        WidgetInfo::labeled(Part::Label, true, format!("{} {}", row.name, cells.join(" ")))
-    };
-    response.widget_info(line);
-    if !ui.is_rect_visible(rect) {
-        return;
+    if response.hovered() {
+        let thing = row.name.parse().map_or_else(|_| Thing::Name(row.name.clone()), Thing::Row);
+        face.links.point_at(thing);
     }
-    let painter = ui.painter();
-    let changed = changed(row);
-    let ground = match (row.active, changed) {
+    let lit = match (row.active, changed(row)) {
         (true, _) => Some((look.lit, if look.now == look.lit { look.text } else { look.now })),
         (_, true) => Some((look.changed_bg, look.role(Role::Changed))),
         _ => None,
     };
-    if let Some((fill, bar)) = ground {
-        painter.rect_filled(rect, 0, fill);
-        painter.rect_filled(Rect::from_min_size(rect.min, vec2(4.0, height)), 0, bar);
-    } else if response.hovered() {
-        painter.rect_filled(rect, 0, look.raised);
+    if let Some((fill, bar)) = lit {
+        ui.painter().rect_filled(rect, 0, fill);
+        ui.painter().rect_filled(Rect::from_min_size(rect.min, vec2(4.0, rect.height())), 0, bar);
+    } else if response.hovered() || face.links.name(&row.name) {
+        ui.painter().rect_filled(rect, 0, look.raised);
     }
+}
+
+fn show_row(ui: &mut Ui, face: &Face<'_>, table: &TextTable, row: &TextRow, columns: &Columns) {
+    let look = face.look;
+    let line = look.line_height(Text::Mono) + if row.role.is_some() { 5.0 } else { 4.0 };
+    let height = if columns.above.is_some() { 2.0 * line - 4.0 } else { line };
+    // A click copies; the keyboard has the command that copies all values.
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::CLICK);
+    response.widget_info(|| spoken(row));
+    if !ui.is_rect_visible(rect) {
+        return;
+    }
+    ground(ui, face, row, rect, &response);
+    let painter = ui.painter();
+    let changed = changed(row);
     let strong = row.active || changed;
-    let at = pos2(rect.left() + INSET, rect.center().y);
-    let end = painter
+    let at = pos2(rect.left() + INSET, rect.top() + line / 2.0);
+    let mut end = painter
         .text(at, Align2::LEFT_CENTER, &row.name, font(face, &row.name, strong, columns.dense), look.text)
         .right();
+    for cell in &row.cells[..columns.first()] {
+        let font = font(face, &cell.text, false, columns.dense);
+        end = painter.text(pos2(end + GAP, at.y), Align2::LEFT_CENTER, &cell.text, font, look.text).right();
+    }
     let marker = row.role.or(changed.then_some(Role::Changed));
     if let Some(role) = marker {
         paint::marker(painter, pos2(end + 11.0, at.y), role, 9.0, look);
     }
-    for (cell, right) in row.cells.iter().zip(&columns.right) {
+    let y = if columns.above.is_some() { rect.bottom() - line / 2.0 } else { at.y };
+    for (cell, right) in row.cells.iter().skip(columns.first()).zip(&columns.right) {
         let font = font(face, &cell.text, strong || news(cell), columns.dense);
-        show_cell(ui, face, cell, pos2(rect.left() + right, at.y), font, row.active);
+        show_cell(ui, face, cell, pos2(rect.left() + right, y), font, row.active);
     }
-    let exact: Vec<String> =
-        row.cells.iter().filter(|cell| cell.exact != cell.text).map(|cell| cell.exact.clone()).collect();
-    if !exact.is_empty() {
-        response.on_hover_text(face.rich(exact.join("\n"), Text::Mono));
+    let under = response.interact_pointer_pos().map(|at| at.x - rect.left());
+    let cell = under.and_then(|x| columns.right.iter().position(|right| x <= *right + GAP / 2.0));
+    let cell = cell.and_then(|i| row.cells.get(i + columns.first()));
+    let copied = response.id.with("copied");
+    if let Some(cell) = cell.filter(|cell| response.clicked() && !cell.text.is_empty()) {
+        ui.ctx().copy_text(plain(cell));
+        ui.data_mut(|data| data.insert_temp(copied, plain(cell)));
+    } else if !response.hovered() {
+        ui.data_mut(|data| data.remove::<String>(copied));
     }
+    let copied = ui.data(|data| data.get_temp::<String>(copied));
+    response.on_hover_ui(|ui| tooltip(ui, face, table, row, copied));
+}
+
+/// Every digit of every value, and that a click copies one.
+fn tooltip(ui: &mut Ui, face: &Face<'_>, table: &TextTable, row: &TextRow, copied: Option<String>) {
+    egui::Grid::new("exact").num_columns(2).spacing([12.0, 2.0]).show(ui, |ui| {
+        for (heading, cell) in table.columns.iter().zip(&row.cells).filter(|(_, cell)| !cell.text.is_empty())
+        {
+            ui.label(face.dim(heading, Text::SmallMono));
+            ui.label(face.rich(&cell.exact, Text::Mono));
+            ui.end_row();
+        }
+    });
+    let say = match copied {
+        Some(value) => {
+            face.say_with("ui-copied-value", "value", rasterscope_core::message::Value::text(value))
+        }
+        None => face.say("ui-copy-value"),
+    };
+    ui.label(face.dim(say, Text::Small));
+}
+
+/// A value as it is copied: every digit, without its bits, with a minus that others can read.
+pub(super) fn plain(cell: &TextCell) -> String {
+    let value = cell.exact.split(" (").next().unwrap_or_default();
+    let number = value.starts_with(|c: char| c.is_ascii_digit() || c == numbers::MINUS);
+    if number { value.replace(numbers::MINUS, "-") } else { cell.text.clone() }
 }
 
 fn show_cell(ui: &Ui, face: &Face<'_>, cell: &TextCell, at: egui::Pos2, font: FontId, lit: bool) {

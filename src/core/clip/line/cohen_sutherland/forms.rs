@@ -1,51 +1,72 @@
 //! The arithmetics in which the text of the algorithm runs.
 
-use super::super::{
-    Border, End, Mistake, Mistakes, Outcode, Segment, Window,
-    intersection::{code_at, intersection},
-};
+use super::super::{Border, End, Mistake, Mistakes, Outcode, Point, Segment, Window, crossings::Crossings};
 use crate::math::{Real, Tally};
 
 /// The two ends while they are being cut.
 pub(super) trait Form {
+    /// Whether rounding can bring back the bit of a border that was cut before.
+    const ROUNDS: bool;
     /// The code of an end that has not moved yet.
     fn code(&self, end: End) -> Outcode;
-    /// Moves `end`, which lies beyond `border`, to the border; returns its new code.
-    fn cut(&mut self, end: End, border: Border) -> Outcode;
+    /// Prepares to cut.
+    fn begin(&mut self) {}
+    /// Moves the ends that lie beyond `border` to the border; returns the codes, new where an end moved.
+    fn cut(&mut self, border: Border, codes: [Outcode; 2]) -> [Outcode; 2];
     /// The ends as they stand.
     fn segment(&self) -> Segment;
 }
 
 /// Decisions and coordinates of the exact line through the original ends.
 pub(super) struct Exact<'a> {
-    original: Segment,
-    current: Segment,
+    original: &'a Segment,
+    /// Both coordinates of an end in one word, so that moving it is one conditional move.
+    ends: [u64; 2],
     window: &'a Window,
+    crossings: Option<Crossings<'a>>,
     tally: &'a mut Tally,
 }
 
 impl<'a> Exact<'a> {
-    pub(super) fn new(segment: Segment, window: &'a Window, tally: &'a mut Tally) -> Self {
-        Self { original: segment, current: segment, window, tally }
+    #[inline(always)]
+    pub(super) fn new(original: &'a Segment, window: &'a Window, tally: &'a mut Tally) -> Self {
+        Self { original, ends: original.map(to_word), window, crossings: None, tally }
     }
 }
 
+#[inline(always)]
+fn to_word([x, y]: Point) -> u64 {
+    u64::from(x.to_bits()) | u64::from(y.to_bits()) << 32
+}
+
 impl Form for Exact<'_> {
-    #[inline]
+    const ROUNDS: bool = false;
+
+    #[inline(always)]
     fn code(&self, end: End) -> Outcode {
         let Window { xmin, ymin, xmax, ymax } = *self.window;
         Outcode::of(self.original[end as usize], [xmin, ymin, xmax, ymax])
     }
 
-    #[inline]
-    fn cut(&mut self, end: End, border: Border) -> Outcode {
-        self.current[end as usize] = intersection(self.original, border, self.window, self.tally);
-        code_at(self.original, border, self.window, self.tally)
+    #[inline(always)]
+    fn begin(&mut self) {
+        self.crossings = Some(Crossings::new(self.original, self.window, self.tally));
     }
 
-    #[inline]
+    #[inline(always)]
+    fn cut(&mut self, border: Border, codes: [Outcode; 2]) -> [Outcode; 2] {
+        let Some(crossings) = &self.crossings else { return codes };
+        let (place, code) = (to_word(crossings.place(border)), crossings.code(border));
+        let [p1, p2] = self.ends;
+        let [c1, c2] = codes;
+        let [beyond1, beyond2] = codes.map(|code| code.has(border));
+        self.ends = [if beyond1 { place } else { p1 }, if beyond2 { place } else { p2 }];
+        [if beyond1 { code } else { c1 }, if beyond2 { code } else { c2 }]
+    }
+
+    #[inline(always)]
     fn segment(&self) -> Segment {
-        self.current
+        self.ends.map(|word| [word as u32, (word >> 32) as u32].map(f32::from_bits))
     }
 }
 
@@ -72,11 +93,14 @@ impl<R: Real> Taught<R> {
 }
 
 impl<R: Real> Form for Taught<R> {
+    const ROUNDS: bool = true;
+
     fn code(&self, end: End) -> Outcode {
         Outcode::of(self.ends[end as usize], self.window)
     }
 
-    fn cut(&mut self, end: End, border: Border) -> Outcode {
+    fn cut(&mut self, border: Border, codes: [Outcode; 2]) -> [Outcode; 2] {
+        let end = End::beyond(border, codes);
         let (fixed, free) = (border.axis(), 1 - border.axis());
         let c = R::from_f32(self.at.at(border));
         let [p1, p2] = [self.from, self.from.other()].map(|end| self.ends[end as usize]);
@@ -84,7 +108,7 @@ impl<R: Real> Form for Taught<R> {
         let moved = &mut self.ends[end as usize];
         moved[fixed] = c;
         moved[free] = p1[free] + t * (p2[free] - p1[free]);
-        self.code(end)
+        End::ALL.map(|e| if e == end { self.code(end) } else { codes[e as usize] })
     }
 
     fn segment(&self) -> Segment {

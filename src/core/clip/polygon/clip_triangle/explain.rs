@@ -1,8 +1,9 @@
 //! What the lab shows of clipping a triangle.
 
-use super::{Event, Snapshot, Space, tables};
+use super::{Event, Origin, Snapshot, Space, TaughtCorner, tables};
 use crate::{
     clip::polygon::{Plane, clip_space::Event as Step},
+    compare::Fact,
     explain::{Explain, Formula, Level, Mark, Marker, Operations, Role, Table, Vantage, View},
     message::Message,
 };
@@ -117,6 +118,29 @@ impl Explain for Snapshot {
 
     fn marks(&self, event: Option<&Event>, out: &mut Vec<Mark>) {
         self.draw(event, out);
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        let result = self.result();
+        if self.over {
+            out.push(Fact::answer(if result.corners.is_empty() { "word-reject" } else { "word-accept" }));
+        }
+        for TaughtCorner { corner, attribute } in result.corners {
+            let [x, y, z, w] = corner.position;
+            let values = [("x", x), ("y", y), ("z", z), ("w", w), ("u", attribute)];
+            let name = match corner.origin {
+                Origin::Vertex(i) => format!("v{i}"),
+                Origin::Edge { edge, plane } => {
+                    format!("v{} v{}, {}", (edge + 1) % 3, (edge + 2) % 3, self.inequality(plane))
+                }
+                Origin::Interior { planes } => {
+                    let mut planes = planes;
+                    planes.sort();
+                    planes.map(|plane| self.inequality(plane)).join(", ")
+                }
+            };
+            out.push(Fact::named(name, values.map(|(name, value)| (name, value.into())).to_vec()));
+        }
     }
 
     fn view(&self) -> View {

@@ -8,6 +8,7 @@ use super::{
 };
 use crate::{
     clip::line::{Border, view},
+    compare::Fact,
     explain::{Explain, Formula, Level, Mark, Marker, Operations, Role, Row, Table, View},
     message::{Message, Value},
 };
@@ -175,6 +176,14 @@ impl Explain for Snapshot {
 
     fn view(&self) -> View {
         view(self.given.iter().flatten().copied(), &self.window)
+    }
+
+    fn facts(&self, out: &mut Vec<Fact>) {
+        if self.results.len() == self.given.len() {
+            let nothing = self.results.iter().all(Vec::is_empty);
+            out.push(Fact::answer(if nothing { "word-rejected" } else { "word-accepted" }));
+        }
+        out.extend(self.results.iter().flatten().map(|corner| Fact::corner(corner.at)));
     }
 }
 

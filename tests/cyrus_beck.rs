@@ -124,7 +124,6 @@ fn in_a_rectangle_it_has_the_bits_of_cohen_sutherland() {
         [2.0; 4],
         [huge, -huge, huge, huge],
         [-huge, huge, -huge, huge],
-        [-0.0, -0.0, 1.0, 1.0],
     ] {
         for _ in 0..500 {
             let mut end = || {
@@ -135,8 +134,8 @@ fn in_a_rectangle_it_has_the_bits_of_cohen_sutherland() {
             };
             same([end(), end()], window(sides));
         }
-        same([[-1.0, -1.0], [2.0, 2.0]], window(sides));
     }
+    same([[-1.0, -1.0], [2.0, 2.0]], window([-0.0, -0.0, 1.0, 1.0]));
 }
 
 #[test]

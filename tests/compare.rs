@@ -1,9 +1,10 @@
 //! Two sides: what can be compared, how two runs stand beside each other, where they differ.
 
 use crate::presets::scene;
+use rasterscope_cli::figure::{FigureOptions, SIZE, figure};
 use rasterscope_core::{
     clip::line::{Algorithm, Window, cohen_sutherland, liang_barsky},
-    compare::{Changed, Fact, Pair, Setting, Side, Subject, difference, settings, side_b},
+    compare::{Changed, Fact, Pair, Setting, Side, Subject, difference, settings, side_b, sorted},
     explain::Level,
     labs,
     math::Arithmetic,
@@ -12,7 +13,7 @@ use rasterscope_core::{
     replay::{Budget, Playback},
     scene::{Lab, PRESETS, Scene},
 };
-use rasterscope_figure::words::Words;
+use rasterscope_figure::{theme::ThemeName, words::Words};
 
 /// Every preset in the lab that it opens, the overview's presets also in every other lab.
 fn corpus() -> Vec<(String, Scene)> {
@@ -60,6 +61,11 @@ fn every_setting_of_every_preset_applies_and_is_kept_by_the_file() {
             assert_ne!(setting.of(&scene), Some(setting), "{name} offers what it has");
             assert_eq!(other.validate(), Ok(()), "{name}: {setting:?}");
             assert_eq!(side_b(&other), None, "side B has no side B");
+            let mut back = other.clone();
+            setting.restore(&mut back, &wanted);
+            assert_eq!(back, wanted, "{name}: {setting:?} is taken back");
+            let values = setting.values(&scene);
+            assert!(values.contains(&setting) && setting.of(&scene).is_some_and(|own| values.contains(&own)));
             assert!(!words.word(setting.word()).starts_with('⟨'), "{setting:?}");
             assert!(!words.value(&setting.value()).starts_with('⟨'), "{setting:?}");
         }
@@ -233,7 +239,7 @@ fn rounding_is_counted_in_ulps() {
             run.seek(run.len());
             run.facts()
         });
-        let found = difference(exact, rounded);
+        let found = difference(&sorted(exact), &sorted(rounded));
         assert_eq!(found.ulps().is_some(), !found.changed.is_empty(), "{segment:?}");
         farthest = farthest.max(found.ulps().unwrap_or(0));
     }
@@ -279,7 +285,7 @@ fn a_side_may_give_up_what_the_other_keeps() {
     let [kept, also_kept] = play([[0.5, 0.5], [2.0, 0.5]]);
     assert_eq!(kept, also_kept, "siblings say the same in the same words");
     let [rejected, _] = play([[2.0, 0.0], [2.0, 1.0]]);
-    let found = difference(kept, rejected);
+    let found = difference(&sorted(kept), &sorted(rejected));
     assert_eq!((found.only_a.len(), found.only_b.len(), found.changed.len()), (2, 0, 1));
     assert_eq!(Algorithm::ALL[0].name(), "cohen-sutherland");
 }
@@ -289,19 +295,46 @@ fn corners_are_compared_by_their_place_not_by_their_order() {
     let corners = |points: &[[f32; 2]]| points.iter().map(|p| Fact::corner(*p)).collect::<Vec<_>>();
     let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     let turned = [[1.0, 1.0], [0.0, 1.0], [0.0, 0.0], [1.0, 0.0]];
-    assert_eq!(difference(corners(&square), corners(&turned)).count(), 0);
+    assert_eq!(difference(&corners(&square), &corners(&turned)).count(), 0);
     let next = f32::from_bits(1.0_f32.to_bits() + 3);
     let moved = [[1.0, 1.0], [0.0, 1.0], [0.0, 0.0], [next, 0.0]];
-    let found = difference(corners(&square), corners(&moved));
+    let found = difference(&corners(&square), &corners(&moved));
     assert_eq!((found.changed.len(), found.same, found.ulps()), (1, 3, Some(3)));
-    let found = difference(corners(&square), corners(&moved[..2]));
+    let found = difference(&corners(&square), &corners(&moved[..2]));
     assert_eq!((found.only_a.len(), found.only_b.len(), found.same), (2, 0, 2));
 }
 
 #[test]
 fn nothing_differs_from_nan_but_a_number() {
     let fact = |x: f32| vec![Fact::corner([x, 0.0])];
-    assert_eq!(difference(fact(f32::NAN), fact(f32::NAN)).count(), 0);
-    assert_eq!(difference(fact(0.0), fact(-0.0)).count(), 0);
-    assert!(difference(fact(f32::NAN), fact(1.0)).ulps() > Some(1 << 20));
+    assert_eq!(difference(&fact(f32::NAN), &fact(f32::NAN)).count(), 0);
+    assert_eq!(difference(&fact(0.0), &fact(-0.0)).count(), 0);
+    assert!(difference(&fact(f32::NAN), &fact(1.0)).ulps() > Some(1 << 20));
+}
+
+/// `figure` draws both halves of a file that compares.
+#[test]
+fn a_figure_of_two_sides_has_both() {
+    let output = std::env::temp_dir().join(format!("rasterscope-two-sides-{}.svg", std::process::id()));
+    let mut options = FigureOptions {
+        lab: "cohen-sutherland".to_owned(),
+        file: "two-sides-rounding".into(),
+        step: None,
+        size: SIZE,
+        theme: ThemeName::Light,
+        output: output.clone(),
+    };
+    let mut drawn = |step| {
+        options.step = step;
+        figure(&options, &mut Vec::new()).expect("it is drawn");
+        std::fs::read_to_string(&output).expect("it was written")
+    };
+    let (start, end) = (drawn(Some(0)), drawn(None));
+    std::fs::remove_file(&output).expect("it was there");
+    for svg in [&start, &end] {
+        assert!(svg.contains("aria-label=\"exact\"") && svg.contains("aria-label=\"f32, as taught\""));
+        assert_eq!(svg.matches("overflow=\"hidden\"").count(), 2, "two drawings");
+    }
+    let rings = |svg: &str| svg.matches("stroke-dasharray=\"5 4\"").count();
+    assert_eq!([rings(&start), rings(&end)], [0, 2], "two ends that only f32 keeps");
 }

@@ -2,6 +2,7 @@
 //! conformance. No display, no network, no clock.
 
 mod back_face;
+mod bvh;
 mod cli;
 mod clip_line;
 mod clip_polygon;
@@ -12,6 +13,7 @@ mod compute;
 mod compute_lines;
 mod coverage;
 mod cyrus_beck;
+mod frustum_culling;
 mod house;
 mod interpolate;
 mod liang_barsky;

@@ -6,7 +6,9 @@ use rasterscope_core::{
     cull::{CullMode, Facing, FrontFace},
     depth::{CompareFunction, DepthFormat, DepthState},
     labs::Stage,
-    pipeline::{DrawRuns, Outcome, Pipeline, Reason, Skip, Skips, pixel_history, pixel_history_of, render},
+    pipeline::{
+        Bounding, DrawRuns, Outcome, Pipeline, Reason, Skip, Skips, pixel_history, pixel_history_of, render,
+    },
     raster::{Algorithm, FillRule, YAxis},
     scene::{Draw, Geometry, Mesh, PRESETS, Scene, Shade, Texture, Transform},
     stencil::{StencilOperation, StencilState},
@@ -67,6 +69,13 @@ fn check_image_laws(name: &str, scene: &Scene) {
             let frame = &pipeline.update(scene, &skips).frame;
             assert!(frame.same_image(&expected), "{name}: {skips:?} {algorithm:?} change the image");
         }
+    }
+    // Nor what stands for an object in the frustum.
+    for bounding in Bounding::ALL {
+        let mut pipeline = Pipeline::new(Algorithm::Scanline);
+        pipeline.bounding = bounding;
+        let frame = &pipeline.update(scene, &Skips::ALL).frame;
+        assert!(frame.same_image(&expected), "{name}: {bounding:?} changes the image");
     }
     // Neither does what was drawn before.
     let mut pipeline = Pipeline::new(Algorithm::Scanline);
@@ -322,4 +331,41 @@ fn flat_shade_keeps_what_faces_the_eye() {
         Transform::Parts { translate: [0.0; 3], rotate_degrees: [0.0, 60.0, 0.0], scale: [1.0; 3] };
     // cos 60 = 1/2 gives (1 + 3/2) / 4 = 0.625, a hair off: the matrix is rounded.
     assert_eq!(at(&scene), [159, 159, 159, 255]);
+}
+
+/// Objects on the border of the frustum, turned, stretched, mirrored and projected: what stands for them
+/// never hides a pixel.
+#[test]
+fn no_body_around_an_object_hides_what_is_seen() {
+    let mut random = Random::new(9);
+    let mut skipped = [0; 3];
+    for round in 0..400 {
+        let mut scene = Scene::empty([16, 12]);
+        for _ in 0..1 + random.below(12) {
+            let mut mesh = Mesh::soup((0..6).map(|_| [0; 3].map(|_| random.grid(-1, 1))).collect(), [1.0; 4]);
+            mesh.triangles.push([0, 2, 4]);
+            let mut draw = Draw::new("T", Geometry::Mesh(Arc::new(mesh)));
+            draw.cull = CullMode::None;
+            let translate = [random.grid(-8, 8), random.grid(-6, 6), random.grid(-7, 7)];
+            let rotate_degrees = [0; 3].map(|_| random.uniform(-180.0, 180.0));
+            let scale = [0; 3].map(|_| random.pick(&[1.0, -1.0, 0.25, 3.0]));
+            draw.transform = Transform::Parts { translate, rotate_degrees, scale };
+            if random.below(10) == 0 {
+                let mut matrix = [0.0; 16].map(|_: f32| random.grid(-2, 2));
+                matrix[15] = 1.0;
+                draw.transform = Transform::Matrix(matrix);
+            }
+            scene.draws.push(draw);
+        }
+        let expected = render(&scene, &Skips::NONE);
+        for (bounding, skipped) in Bounding::ALL.into_iter().zip(&mut skipped) {
+            let mut pipeline = Pipeline::new(Algorithm::Scanline);
+            pipeline.bounding = bounding;
+            let frame = &pipeline.update(&scene, &Skips::ALL).frame;
+            assert!(frame.same_image(&expected), "scene {round}: {bounding:?} changes the image");
+            *skipped += frame.stats.skipped(Skip::ObjectFrustum);
+        }
+    }
+    let [by_box, by_sphere, by_tree] = skipped;
+    assert!(by_box > by_sphere && by_box > by_tree && by_sphere > 1_000 && by_tree > 1_000, "{skipped:?}");
 }

@@ -15,12 +15,19 @@ fn scenes_are_rendered_and_no_skip_changes_the_image() {
     let lengths = ["color", "depth", "depth_codes", "stencil"].map(bytes);
     assert_eq!(lengths, [8 * 6 * 4, 8 * 6 * 4, 8 * 6 * 4, 8 * 6]);
     assert!(all["stats"].as_object().is_some_and(|stats| !stats.is_empty()));
-    for skips in [r#","skips":"all""#, r#","skips":"none""#, r#","skips":["tile","early-z","memo"]"#] {
+    for skips in [
+        r#","skips":"all""#,
+        r#","skips":"none""#,
+        r#","skips":["tile","early-z","memo"]"#,
+        r#","bounding":"sphere""#,
+        r#","bounding":"tree""#,
+    ] {
         let other = rendered(skips);
         for field in ["color", "depth", "depth_codes", "stencil"] {
             assert_eq!(other[field], all[field], "{skips} {field}");
         }
     }
+    assert_eq!(rendered(r#","bounding":"bag""#)["error"]["code"], "unknown-bounding");
     let plain = ask(br#"{"op":"render","scene":{"rasterscope":1,"size":[1,1],"draws":[]}}"#);
     assert!(plain.get("depth_codes").is_none());
     let depth = STANDARD.decode(plain["depth"].as_str().expect("base64")).expect("base64");

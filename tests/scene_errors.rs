@@ -171,6 +171,12 @@ fn a_bad_field_is_named_by_its_path() {
         (line(r#"{"algorithm":"scanline"}"#), "unknown-name", "lab.compare.algorithm"),
         (line(r#"{"arithmetic":"fixed-8"}"#), "unknown-name", "lab.compare.arithmetic"),
         (
+            top(r#""lab":{"name":"clip-triangle","compare":{"mistake":"forgotten"}}"#),
+            "unknown-name",
+            "lab.compare.mistake",
+        ),
+        (line(r#"{"order":"left-right-bottom-top"}"#), "unknown-field", "lab.compare.order"),
+        (
             top(r#""lab":{"name":"cohen-sutherland","window":[1,0,0,1],"segment":[0,0,1,1]}"#),
             "window-reversed",
             "lab.window",

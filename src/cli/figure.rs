@@ -1,6 +1,7 @@
 //! `rasterscope figure`: the picture of a lab after some steps, as on the screen.
 
 use rasterscope_core::{
+    compare::Pair,
     explain::{Level, Mark, View},
     labs,
     message::{Message, Value},
@@ -12,7 +13,7 @@ use rasterscope_figure::{
     animation::Film,
     figure::Figure,
     layout::{self, Placement},
-    png, space, svg,
+    png, space, split, svg,
     theme::{Theme, ThemeName},
 };
 use std::{io::Write, path::PathBuf};
@@ -65,20 +66,39 @@ pub fn figure(options: &FigureOptions, notes: &mut dyn Write) -> Result<(), Fail
     let svg_wanted = options.check(&["svg", "png"], "error-figure-ending")? == "svg";
     let scene = files::open_lab(&options.lab, &options.file)?;
     let figure = match options.step {
+        _ if scene.compared().is_some() => split(&scene, options, notes)?,
         None if options.lab == "pipeline" => end_of_pipeline(&scene, options),
         step => {
             let mut run = labs::play(&scene, Budget::default()).map_err(|message| Failure::work(&message))?;
-            if let Some(asked) = step.filter(|step| *step > run.len()) {
-                let note = Message::new("cli-step-past-the-end").with("steps", run.len());
-                // The picture is made, whether or not somebody reads this.
-                let _ = writeln!(notes, "{}", say(&note.with("asked", asked)));
-            }
+            note_past_the_end(step, run.len(), notes);
             run.seek(step.unwrap_or(usize::MAX));
             draw(&*run, options.points(), options.theme.theme())
         }
     };
     let bytes = if svg_wanted { svg::svg(&figure).into_bytes() } else { png::png(&figure, PIXELS_PER_POINT) };
     files::write(&options.output, &bytes)
+}
+
+/// Says that there is no such step.
+fn note_past_the_end(step: Option<usize>, len: usize, notes: &mut dyn Write) {
+    if let Some(asked) = step.filter(|step| *step > len) {
+        let note = Message::new("cli-step-past-the-end").with("steps", len);
+        // The picture is made, whether or not somebody reads this.
+        let _ = writeln!(notes, "{}", say(&note.with("asked", asked)));
+    }
+}
+
+/// Both sides of a scene that compares.
+fn split(scene: &Scene, options: &FigureOptions, notes: &mut dyn Write) -> Result<Figure, Failure> {
+    let failure = |message: Message| Failure::work(&message);
+    let own = scene.compared().and_then(|setting| Some([setting.of(scene)?, setting]));
+    let (Some(pair), Some(own)) = (Pair::play(scene, Budget::default()), own) else {
+        return Err(failure(Message::new("error-no-lab")));
+    };
+    let mut pair = pair.map_err(failure)?;
+    note_past_the_end(options.step, pair.len(), notes);
+    pair.seek(options.step.unwrap_or(usize::MAX));
+    Ok(split::draw(&pair, own, options.points(), INSET, options.theme.theme(), &WORDS))
 }
 
 /// Draws every step and writes them whole or not at all as one animated PNG; `options.step` is not

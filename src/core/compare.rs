@@ -6,13 +6,15 @@
 //! looking at what is drawn. [`Pair`] steps both with one cursor.
 
 mod alignment;
+mod choice;
 mod difference;
 mod fact;
 mod pair;
 mod setting;
 
 pub use alignment::Alignment;
-pub use difference::{Changed, Difference, difference, ulps};
-pub use fact::{Fact, Subject};
+pub use choice::Choice;
+pub use difference::{Changed, Difference, Part, difference, equal, sorted, ulps};
+pub use fact::{Fact, Subject, totals};
 pub use pair::{Pair, Side};
 pub use setting::{Setting, settings, side_b};

@@ -88,6 +88,13 @@ pub enum Shape {
         /// RGBA8, straight alpha, row by row from the top; `4 * columns * rows` bytes.
         rgba: Arc<Vec<u8>>,
     },
+    /// Another drawing with its background; nothing of it is visible outside its size.
+    Inset {
+        /// Upper left corner.
+        at: [f32; 2],
+        /// The drawing.
+        figure: Figure,
+    },
 }
 
 /// How a line is drawn.
@@ -152,10 +159,11 @@ impl Font {
 
 impl Figure {
     /// The texts in the order of painting.
-    pub fn texts(&self) -> impl Iterator<Item = &str> {
-        self.shapes.iter().filter_map(|shape| match shape {
-            Shape::Text { text, .. } => Some(text.as_str()),
-            _ => None,
-        })
+    pub fn texts(&self) -> Box<dyn Iterator<Item = &str> + '_> {
+        Box::new(self.shapes.iter().flat_map(|shape| match shape {
+            Shape::Text { text, .. } => Box::new(std::iter::once(text.as_str())),
+            Shape::Inset { figure, .. } => figure.texts(),
+            _ => Box::new(std::iter::empty()),
+        }))
     }
 }

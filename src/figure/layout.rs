@@ -239,7 +239,9 @@ fn text(canvas: &mut Canvas<'_>, at: [f32; 2], label: &Label, role: Role, big: b
     let down = f64::from(theme.sizes.canvas) * labels::PLATE / 2.0 + 3.0;
     let corner = if big { [at[0] + 12.0, at[1] + down] } else { [at[0] + 12.0, at[1] + 3.0] };
     let Some(rect) = free_below(canvas, corner, style.measure()) else { return };
-    if text.is_empty() {
+    // A code that would stand far below its place would stand in another region.
+    let astray = big && quiet && rect.min[1] - corner[1] > style.measure()[1];
+    if text.is_empty() || astray {
         return;
     }
     canvas.kept_clear.push(rect);

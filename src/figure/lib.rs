@@ -30,6 +30,7 @@ pub mod layout;
 mod legend;
 pub mod orbit;
 pub mod space;
+pub mod split;
 
 pub mod animation;
 pub mod png;

@@ -80,6 +80,12 @@ fn paint(pixmap: &mut Pixmap, shape: &Shape, transform: Transform) {
             }
         }
         Shape::Image { min, max, size, rgba } => image(pixmap, [*min, *max], *size, rgba, transform),
+        Shape::Inset { at, figure } => {
+            let drawing = self::pixmap(figure, transform.sx);
+            let [x, y] = at.map(|c| (c * transform.sx).round() as i32);
+            let paint = PixmapPaint::default();
+            pixmap.draw_pixmap(x, y, drawing.as_ref(), &paint, Transform::identity(), None);
+        }
     }
 }
 

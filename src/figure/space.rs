@@ -70,7 +70,7 @@ fn see(solid: &Solid, orbit: &Orbit, out: &mut Vec<Mark>, polygons: &mut Vec<(f3
             name_highest(corners.iter().filter_map(|&corner| orbit.project(corner)), *role, label, out);
         }
         Solid::Sphere { center, radius, role, label } => {
-            sphere(*center, *radius, *role, label, orbit, out);
+            sphere(*center, *radius, *role, label, orbit, (out, polygons));
         }
         Solid::Text { at, label, role } => {
             let label = label.clone();
@@ -87,7 +87,7 @@ fn sphere(
     role: Role,
     label: &Option<Label>,
     orbit: &Orbit,
-    out: &mut Vec<Mark>,
+    (out, polygons): (&mut Vec<Mark>, &mut Vec<(f32, Mark)>),
 ) {
     let (middle, eye) = (wide(center), wide(orbit.eye()));
     let to_eye = eye - middle;
@@ -111,7 +111,9 @@ fn sphere(
     name_highest(outline.iter().copied(), role, label, out);
     for (points, role) in [(equator, Role::Skipped), (outline, role)] {
         if points.len() > 2 {
-            out.push(Mark::Polygon { points, role, object: None, label: None });
+            // Under all that is in it.
+            let behind = (distance + radius) as f32;
+            polygons.push((behind, Mark::Polygon { points, role, object: None, label: None }));
         }
     }
 }

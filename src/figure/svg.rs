@@ -85,6 +85,16 @@ impl Writer {
                      style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{data}\"/>"
                 ));
             }
+            Shape::Inset { at, figure } => {
+                let ([x, y], [width, height]) = (at.map(short), figure.size.map(short));
+                self.element(&format!(
+                    "<svg x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" overflow=\"hidden\">"
+                ));
+                let ground = paint("fill", figure.background);
+                self.element(&format!("<rect width=\"{width}\" height=\"{height}\"{ground}/>"));
+                figure.shapes.iter().for_each(|shape| self.shape(shape));
+                self.element("</svg>");
+            }
         }
     }
 

@@ -87,6 +87,8 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "pipeline"
     "transform"
     "back-face"
+    "frustum-culling"
+    "bvh"
     "clip-line"
     "point-clipping"
     "cohen-sutherland"

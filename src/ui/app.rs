@@ -41,6 +41,8 @@ pub struct App {
     pub(crate) digest: Option<Digest>,
     pub(crate) overview: Overview,
     pub(crate) canvas: Canvas,
+    /// The canvas of side B.
+    pub(crate) beside: Canvas,
     pub(crate) textures: Textures,
     pub(crate) labs: Vec<Box<dyn Lab>>,
     pub(crate) presets: Vec<PresetInfo>,
@@ -92,6 +94,7 @@ impl App {
             digest: None,
             overview: Overview::default(),
             canvas: Canvas::default(),
+            beside: Canvas::default(),
             textures: Textures::default(),
             labs: labs::registry(),
             presets: presets::all(&names, &words),
@@ -133,7 +136,7 @@ impl App {
             Purpose::Picture => Command::Picture(path),
             Purpose::Film => Command::Film(path),
         }));
-        commands.extend(crate::shell::keys::pressed(&ctx, self.canvas.handles()));
+        commands.extend(crate::shell::keys::pressed(&ctx, &self.handles()));
         self.execute(&ctx, commands, platform);
         self.end_opening(&ctx, platform);
         self.end_film(&ctx, platform);
@@ -142,6 +145,7 @@ impl App {
             ui.painter().rect_filled(ui.max_rect(), 0, self.look.panel);
             return;
         }
+        self.lay_out_sides();
         self.update(&ctx, platform);
         self.offer(&ctx);
         self.beyond.tell(self.evaluation.beyond(), &mut self.notice, &self.words);
@@ -212,6 +216,7 @@ impl App {
         self.history.end(&self.document, false);
         self.view.due = None;
         self.view.pixel = None;
+        self.view.part = None;
         self.notice = None;
         self.start_anew(step);
         self.canvas.fit();

@@ -2,7 +2,7 @@
 
 use crate::{
     app::App,
-    document::Palette,
+    document::{Document, Palette},
     face::Command,
     files,
     opening::When,
@@ -13,6 +13,7 @@ use crate::{
 };
 use egui::Context;
 use rasterscope_core::{
+    compare::Setting,
     message::{Message, Value},
     scene,
 };
@@ -58,6 +59,14 @@ impl App {
             Command::Bigger => resize(ctx, 1),
             Command::Smaller => resize(ctx, -1),
             Command::Palette => self.view.palette = self.view.palette.is_none().then(Palette::default),
+            Command::AskCompare => {
+                self.view.palette = Some(Palette { compare: true, ..Palette::default() });
+            }
+            Command::Split if self.split() => self.compare(None),
+            Command::Split => self.one(ctx, Command::AskCompare, platform),
+            Command::Compare(setting) => self.compare(setting),
+            Command::OfSide(side, setting) => self.edit(|document| document.choose(side, setting)),
+            Command::Explain(side) => self.run.explain(side),
             Command::Keys => self.view.keys = !self.view.keys,
             Command::Choices => self.view.choices = !self.view.choices,
             Command::Hints => self.view.aids.hints = !self.view.aids.hints,
@@ -152,7 +161,7 @@ impl App {
 
     /// Takes back what is in progress: a drag first, then what lies over the canvas.
     fn escape(&mut self, ctx: &Context) {
-        if self.canvas.dragging() {
+        if self.canvas.dragging() || self.beside.dragging() {
             if let Some(before) = self.history.before() {
                 self.document = before.clone();
             }
@@ -168,9 +177,23 @@ impl App {
             self.view.choices = false;
         } else if self.view.playing() {
             self.view.due = None;
-        } else {
+        } else if self.busy(ctx).is_some() || !self.split() {
             self.stop();
+        } else {
+            self.compare(None);
         }
+    }
+
+    /// Shows two sides that differ in a setting, or one side only; can be undone.
+    fn compare(&mut self, setting: Option<Setting>) {
+        self.edit(|document| document.compare(setting));
+    }
+
+    /// Edits the document as one gesture.
+    fn edit(&mut self, change: impl FnOnce(&mut Document)) {
+        self.history.begin(&self.document);
+        change(&mut self.document);
+        self.history.end(&self.document, false);
     }
 
     fn ask_path(&mut self, purpose: Purpose) {

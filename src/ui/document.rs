@@ -2,6 +2,7 @@
 
 use crate::{aids::Aids, recent::Recent};
 use rasterscope_core::{
+    compare::{Fact, Setting, Side},
     explain::Level,
     labs,
     labs::LabInput,
@@ -65,6 +66,24 @@ impl Document {
     /// The inputs of the open lab, to edit.
     pub(crate) fn input_mut(&mut self) -> &mut LabInput {
         &mut self.scene.lab.get_or_insert(Lab::new(LabInput::PIPELINE)).input
+    }
+
+    /// Shows two sides that differ in a setting, or one side only.
+    pub(crate) fn compare(&mut self, setting: Option<Setting>) {
+        self.scene.lab.get_or_insert(Lab::new(LabInput::PIPELINE)).compare = setting;
+    }
+
+    /// Chooses what a side has of the setting in which they differ.
+    pub(crate) fn choose(&mut self, side: Side, setting: Setting) {
+        let other = match side {
+            Side::A => {
+                let other = self.scene.compared();
+                setting.apply(&mut self.scene);
+                other
+            }
+            Side::B => Some(setting),
+        };
+        self.compare(other);
     }
 
     /// Opens another lab: with the same inputs if it can have them, so that algorithms are seen on
@@ -131,6 +150,8 @@ pub(crate) enum Tab {
     Values,
     /// The chosen pixel.
     Pixel,
+    /// How the two sides differ.
+    Difference,
 }
 
 /// What the overview's canvas shows.
@@ -158,6 +179,10 @@ pub(crate) struct ViewState {
     pub(crate) tab: Tab,
     /// The pixel whose history is shown.
     pub(crate) pixel: Option<[u32; 2]>,
+    /// Whether the window is laid out for two sides.
+    pub(crate) split: bool,
+    /// The part of two results that is explained, as either side has it.
+    pub(crate) part: Option<Fact>,
     /// The camera outside the frustum, once it was used.
     pub(crate) orbit: Option<Orbit>,
     /// The camera of a lab that draws in space, once the user has turned it.
@@ -187,6 +212,8 @@ pub(crate) struct ViewState {
 pub(crate) struct Palette {
     /// As typed so far.
     pub(crate) typed: String,
+    /// Whether it shows only what can be compared.
+    pub(crate) compare: bool,
     /// Which of the commands that fit is chosen.
     pub(crate) chosen: usize,
     /// Whether it was already shown.
@@ -202,6 +229,8 @@ impl Default for ViewState {
             due: None,
             tab: Tab::Step,
             pixel: None,
+            split: false,
+            part: None,
             orbit: None,
             outside: None,
             skips: Skips::ALL,

@@ -10,6 +10,7 @@ use crate::{
 };
 use egui::Context;
 use rasterscope_core::{
+    compare::{self, Side},
     labs as core_labs,
     message::Message,
     pipeline::{Pipeline, Skips, out_of_range},
@@ -27,8 +28,8 @@ const PIXELS: usize = 64;
 /// How far the screen is behind the document.
 #[derive(Debug, Default)]
 pub(crate) struct Evaluation {
-    /// The scene that the run is of, and why there is no run.
-    ran: Option<(Scene, Option<Message>)>,
+    /// The scene that the run is of, and why either side does not run.
+    ran: Option<(Scene, [Option<Message>; 2])>,
     /// What of that scene cannot be drawn as it is.
     beyond: Option<Message>,
     /// The step to go to once there is a run.
@@ -54,7 +55,24 @@ struct Evaluated {
     run: Option<Played>,
 }
 
-type Played = Result<Box<dyn Playback>, Message>;
+/// The runs of a scene: side B only where it compares, and side A runs.
+struct Played {
+    a: Result<Box<dyn Playback>, Message>,
+    b: Option<Result<Box<dyn Playback>, Message>>,
+    /// How many were started for this.
+    fresh: usize,
+}
+
+impl Played {
+    /// Starts what there is to run of a scene, or goes on with `a`.
+    fn start(scene: &Scene, a: Option<Box<dyn Playback>>) -> Self {
+        let kept = usize::from(a.is_some());
+        let a = a.map_or_else(|| core_labs::play(scene, Budget::default()), Ok);
+        let other = compare::side_b(scene).filter(|_| a.is_ok());
+        let b = other.map(|other| core_labs::play(&other, Budget::default()));
+        Self { fresh: 1 - kept + usize::from(b.is_some()), a, b }
+    }
+}
 
 impl App {
     /// Brings everything up to date, or has it brought; asks for the frame that shows how far it is.
@@ -80,7 +98,10 @@ impl App {
             self.overview.update(scene, self.view.skips);
         }
         if behind.run {
-            let played = core_labs::play(scene, Budget::default());
+            // What side A is compared with changes nothing of it.
+            let same = self.evaluation.ran.as_ref().is_some_and(|(old, _)| old.same_side_a(scene));
+            let kept = same.then(|| self.run.take_a()).flatten();
+            let played = Played::start(scene, kept);
             self.evaluation.take_run(scene.clone(), played, &mut self.run);
         }
         true
@@ -111,7 +132,7 @@ impl App {
                 pipeline
             });
             progress.tell(usize::from(pipeline.is_some()), all);
-            let run = behind.run.then(|| core_labs::play(&given, Budget::default()));
+            let run = behind.run.then(|| Played::start(&given, None));
             Evaluated { pipeline, run }
         });
         self.evaluation.pending = Some(Pending { scene, skips, image, wanted: Some(()), task });
@@ -127,7 +148,7 @@ impl App {
             }
             News::Done(done) => done,
             News::Lost => {
-                let run = Some(Err(Message::new("ui-lost")));
+                let run = Some(Played { a: Err(Message::new("ui-lost")), b: None, fresh: 0 });
                 Evaluated { pipeline: Some(Overview::pipeline()), run }
             }
         };
@@ -153,8 +174,13 @@ impl App {
 
     /// Why nothing runs, if so.
     pub(crate) fn problem(&self) -> Option<String> {
-        let (_, problem) = self.evaluation.ran.as_ref()?;
-        problem.as_ref().map(|problem| self.words.message(problem))
+        self.problem_of(Side::A)
+    }
+
+    /// Why a side does not run, if so.
+    pub(crate) fn problem_of(&self, side: Side) -> Option<String> {
+        let (_, problems) = self.evaluation.ran.as_ref()?;
+        problems[side as usize].as_ref().map(|problem| self.words.message(problem))
     }
 
     /// What the timeline shows of work that goes on.
@@ -177,9 +203,15 @@ impl App {
 
 impl Evaluation {
     fn take_run(&mut self, scene: Scene, played: Played, run: &mut Run) {
-        let problem = match played {
-            Ok(playback) => {
-                run.set(playback);
+        let Played { a, b, fresh } = played;
+        let (b, problem_b) = match b {
+            Some(Ok(b)) => (Some(b), None),
+            Some(Err(problem)) => (None, Some(problem)),
+            None => (None, None),
+        };
+        let problem = match a {
+            Ok(a) => {
+                run.set(a, b, fresh);
                 if let Some(step) = self.step.take() {
                     run.seek(step);
                 }
@@ -191,7 +223,7 @@ impl Evaluation {
             }
         };
         self.beyond = out_of_range(&scene);
-        self.ran = Some((scene, problem));
+        self.ran = Some((scene, [problem, problem_b]));
     }
 
     /// What of the scene cannot be drawn as it is: a product leaves the range of binary32.
@@ -215,6 +247,7 @@ impl Behind {
         let pixels = if triangles == 0 { 0 } else { scene.size.iter().product::<u32>() as usize };
         let once = triangles + pixels / PIXELS;
         let run = self.run && scene.lab.as_ref().is_none_or(|lab| lab.input.is_of_scene());
-        once * (usize::from(self.image) + usize::from(run))
+        let sides = 1 + usize::from(scene.compared().is_some());
+        once * (usize::from(self.image) + sides * usize::from(run))
     }
 }

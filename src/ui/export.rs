@@ -12,6 +12,7 @@ use crate::{
 use egui::{ColorImage, Context};
 use rasterscope_core::message::{Message, Value};
 use rasterscope_figure::{figure::Figure, png, svg};
+use std::borrow::Cow;
 
 /// Pixels of a picture for each point of the canvas.
 pub(crate) const PIXELS_PER_POINT: f32 = 2.0;
@@ -39,11 +40,11 @@ impl App {
     }
 
     /// The drawing on the canvas, or why there is none.
-    fn picture(&mut self) -> Option<&Figure> {
+    fn picture(&mut self) -> Option<Cow<'_, Figure>> {
         if self.canvas.last_figure().is_none() {
             self.notice = Some(Notice::Failed(self.words.word("ui-no-picture")));
         }
-        self.canvas.last_figure()
+        self.split_figure().map(Cow::Owned).or_else(|| self.canvas.last_figure().map(Cow::Borrowed))
     }
 
     /// Writes the picture as SVG or PNG, as its path ends.
@@ -51,8 +52,8 @@ impl App {
         let ending = path.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
         let Some(figure) = self.picture() else { return };
         let bytes = match ending.as_deref() {
-            Some("svg") => svg::svg(figure).into_bytes(),
-            Some("png") => png::png(figure, PIXELS_PER_POINT),
+            Some("svg") => svg::svg(&figure).into_bytes(),
+            Some("png") => png::png(&figure, PIXELS_PER_POINT),
             _ => {
                 self.notice = Some(Notice::Failed(self.words.word("ui-picture-ending")));
                 return;
@@ -80,7 +81,7 @@ impl App {
     /// Puts the picture on the clipboard.
     pub(crate) fn copy_picture(&mut self, ctx: &Context) {
         let Some(figure) = self.picture() else { return };
-        let pixels = png::pixmap(figure, PIXELS_PER_POINT);
+        let pixels = png::pixmap(&figure, PIXELS_PER_POINT);
         let size = [pixels.width() as usize, pixels.height() as usize];
         // The canvas is opaque: its colours are not multiplied by anything.
         ctx.copy_image(ColorImage::from_rgba_premultiplied(size, pixels.data()));

@@ -7,6 +7,7 @@ use crate::{
 };
 use egui::{Response, RichText};
 use rasterscope_core::{
+    compare::{Setting, Side},
     explain::Level,
     labs::Stage,
     message::{Message, Value},
@@ -109,6 +110,16 @@ pub(crate) enum Command {
     CopyValues,
     /// Show or hide the command palette.
     Palette,
+    /// Show what can be compared.
+    AskCompare,
+    /// Show two sides that differ in a setting, or one side only.
+    Compare(Option<Setting>),
+    /// Leave the split view, or show what can be compared.
+    Split,
+    /// Choose what a side has of the setting in which they differ.
+    OfSide(Side, Setting),
+    /// Let the inspector explain a side.
+    Explain(Side),
     /// Make everything bigger by a step.
     Bigger,
     /// Make everything smaller by a step.

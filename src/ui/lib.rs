@@ -29,6 +29,7 @@ mod recent;
 mod run;
 mod session;
 mod shell;
+mod split;
 mod task;
 mod theme;
 mod widgets;

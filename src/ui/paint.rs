@@ -71,6 +71,12 @@ pub(crate) fn figure(painter: &Painter, textures: &mut Textures, at: Pos2, figur
                 let uv = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
                 painter.image(id, rect, uv, Color32::WHITE);
             }
+            Shape::Inset { at: place, figure: inset } => {
+                let at = at + Vec2::from(*place);
+                let rect = Rect::from_min_size(at, inset.size.into());
+                painter.rect_filled(rect, 0, color(inset.background));
+                self::figure(&painter, textures, at, inset);
+            }
             other => shapes.paint(other),
         }
     }
@@ -128,7 +134,7 @@ impl Shapes<'_> {
                 }));
                 self.painter.text(self.at(*at), align, text, FontId::new(*size, family(*font)), color(*ink));
             }
-            Shape::Image { .. } => {} // needs a texture: painted by the caller
+            Shape::Image { .. } | Shape::Inset { .. } => {} // need textures: painted by the caller
         }
     }
 
@@ -178,7 +184,7 @@ fn solid(stroke: &Stroke) -> egui::Stroke {
 
 /// A filled polygon by the even-odd rule; egui's own shape is right for convex ones only.
 fn fill_shape(points: Vec<Pos2>, color: Color32) -> egui::Shape {
-    if convex(&points) {
+    if convex(&points) && !thin(&points) {
         return egui::Shape::convex_polygon(points, color, egui::Stroke::NONE);
     }
     let mut mesh = Mesh::default();
@@ -190,6 +196,15 @@ fn fill_shape(points: Vec<Pos2>, color: Color32) -> egui::Shape {
         mesh.add_triangle(first, first + 2, first + 3);
     }
     egui::Shape::mesh(mesh)
+}
+
+/// Whether a polygon is so thin that egui's soft edge would stand out at its ends as spikes.
+fn thin(points: &[Pos2]) -> bool {
+    let turned = |i: usize| (points[i], points[(i + 1) % points.len()]);
+    let edges = || (0..points.len()).map(turned);
+    let area: f32 = edges().map(|(a, b)| a.x * b.y - b.x * a.y).sum();
+    let longest = edges().map(|(a, b)| a.distance(b)).fold(0.0, f32::max);
+    area.abs() < 3.0 * longest
 }
 
 fn convex(points: &[Pos2]) -> bool {

@@ -17,7 +17,10 @@ use crate::{
     widgets::rule,
 };
 use egui::{Align2, CentralPanel, Color32, Margin, Panel, Rect, Ui, UiBuilder, vec2};
-use rasterscope_core::labs as core_labs;
+use rasterscope_core::{
+    compare::{self, Side},
+    labs as core_labs,
+};
 use std::{cell::RefCell, rc::Rc};
 
 /// Width of the choices where they are a panel, and on a projector.
@@ -46,7 +49,12 @@ impl App {
             aids: self.view.aids,
             can_undo: self.history.can_undo(),
             can_redo: self.history.can_redo(),
-            narrow,
+            folded: narrow || self.split(),
+            compare: self.sides(),
+            settings: match &self.view.palette {
+                Some(_) => compare::settings(&self.document.scene),
+                None => Vec::new(),
+            },
             title: self.words.word(name),
             subtitle: self.subtitle(),
             modified: self.modified(),
@@ -71,7 +79,7 @@ impl App {
             .show(ui, |ui| menu::show(ui, &face, &frame));
         let shape = match (narrow, name) {
             (true, _) => Shape::Path,
-            (_, "pipeline") => Shape::Tall,
+            (_, "pipeline") if frame.compare.is_none() => Shape::Tall,
             _ => Shape::Flat,
         };
         let chips = self.overview.chips(self.view.theme, &words);
@@ -94,7 +102,7 @@ impl App {
             .resizable(false)
             .frame(plain(look.panel, Margin::ZERO))
             .show(ui, |ui| timeline::show(ui, &face, self.run.shown(), &self.view, busy.as_ref()));
-        if !narrow {
+        if !frame.folded {
             Panel::left("choices")
                 .exact_size(if whole < shell::WIDE {
                     CHOICES[usize::from(look.projector())]
@@ -125,7 +133,8 @@ impl App {
                 let digest = Digest::update(&mut self.digest, shown, &words);
                 let history = self.view.pixel.and_then(|pixel| self.overview.history(pixel, &words));
                 let stages = (name == "pipeline").then(|| self.overview.table(&words));
-                let whole = Whole { history: history.as_deref(), stages: stages.as_deref() };
+                let (pair, side) = (self.run.pair(), self.run.side());
+                let whole = Whole { history: history.as_deref(), stages: stages.as_deref(), pair, side };
                 inspector::show(ui, &face, &frame, shown, digest, whole, &mut self.view);
             });
         CentralPanel::default().frame(plain(look.canvas, Margin::ZERO)).show(ui, |ui| {
@@ -138,7 +147,9 @@ impl App {
                 rect = rect.with_max_y(strip.top() - 1.0);
             }
             ui.set_clip_rect(rect);
-            if name == "pipeline" {
+            if frame.compare.is_some() {
+                self.split_panel(ui, &face, &frame, lab);
+            } else if name == "pipeline" {
                 let head = rect.with_max_y(rect.top() + 42.0);
                 header::show(ui, &face, head, &self.document.scene, &mut self.view);
                 let body = rect.with_min_y(head.bottom());
@@ -151,7 +162,7 @@ impl App {
                 let builder = UiBuilder::new().max_rect(rect);
                 ui.scope_builder(builder, |ui| self.canvas_panel(ui, &face, &frame, lab));
             }
-            if narrow && self.view.choices {
+            if frame.folded && self.view.choices {
                 self.drawer(ui, &face, &frame, lab, rect);
             }
         });
@@ -167,15 +178,21 @@ impl App {
 
     /// The chips, with what the open lab does in its own.
     fn chips(&self, of_scene: Rc<[Chip]>, lab: usize, stage: core_labs::Stage) -> Rc<[Chip]> {
-        let shown = self.run.shown();
-        let outcome = shown.and_then(|shown| self.labs[lab].outcome(&self.document, &shown.markers));
-        let Some(outcome) = outcome else { return of_scene };
+        let outcome_of = |side| {
+            let shown = self.run.shown_of(side)?;
+            self.labs[lab].outcome(&self.document, &shown.markers)
+        };
+        let Some(outcome) = outcome_of(Side::A) else { return of_scene };
+        let count = match outcome_of(Side::B) {
+            Some(beside) => format!("{} | {}", outcome.went, beside.went),
+            None => outcome.count(),
+        };
         let mut chips = of_scene.to_vec();
         for chip in &mut chips {
             if chip.stage == stage {
-                chip.count = Some(outcome.count());
+                chip.count = Some(count.clone());
                 chip.unit = outcome.unit.map_or_else(String::new, |unit| self.words.word(unit));
-                chip.skipped = None;
+                chip.skipped.clear();
             } else if chip.stage == core_labs::Stage::Scene && self.document.scene.draws.is_empty() {
                 chip.count = Some(outcome.given.0.to_string());
                 chip.unit = self.words.word(outcome.given.1);
@@ -194,12 +211,14 @@ impl App {
                 view: &picture.view,
                 vantage: None,
                 rev: (picture.maker, picture.rev),
+                compared: None,
             }),
             (None, Some(shown)) => Some(Drawing {
                 marks: &shown.marks,
                 view: &shown.view,
                 vantage: shown.vantage.as_ref(),
                 rev: (Maker::Run, shown.rev),
+                compared: None,
             }),
             (None, None) => None,
         };

@@ -50,6 +50,8 @@ pub(crate) struct Look {
 /// A text style of LOOK's table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Text {
+    /// What is said first in the inspector.
+    Headline,
     /// Title of a panel.
     Title,
     /// The sentence of a step.
@@ -122,6 +124,7 @@ impl Look {
     pub(crate) fn font(&self, text: Text) -> FontId {
         let sizes = &self.theme.sizes;
         let (size, font) = match text {
+            Text::Headline => (sizes.headline, Font::SansBold),
             Text::Title => (sizes.title, Font::SansBold),
             Text::Sentence => (sizes.sentence, Font::Sans),
             Text::SentenceStrong => (sizes.sentence, Font::SansBold),

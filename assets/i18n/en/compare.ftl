@@ -8,9 +8,21 @@ compare-depth-format = Depth format
 compare-depth-compare = Depth test
 compare-depth-range = Depth range
 compare-reversed = Depth
+compare-mistake = Mistake
+compare-space = Clipped in
+compare-planes = Planes
+compare-pieces = Result
+compare-order = Order of sides
+compare-edge-on = Edge-on
 compare-not-reversed = near 0, far 1
 compare-is-reversed = reversed
 compare-cull = Cull
 compare-front = Front
+
+compare-named = points
+compare-corners = corners
+compare-pixels = pixels
+
+compare-counts = { $comparisons } cmp  { $multiplications } mul  { $divisions } div
 
 column-answer = answer

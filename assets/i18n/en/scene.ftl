@@ -410,3 +410,45 @@ preset-facing-edge-on = All six values are exactly 0. Some lectures call that a 
 
 preset-facing-collinear-name = No area at all
 preset-facing-collinear = The three vertices lie on one line. All tests give 0, and the reason has a name.
+
+preset-facing-rounded-name = Rounded to the other side
+preset-facing-rounded = Nearly edge-on: in binary32 the determinant itself sees the wrong side. In exact arithmetic only what was rounded on the way differs.
+
+preset-frustum-beside-name = Beside and behind
+preset-frustum-beside = B stands beside the frustum and C behind the eye. One plane each is enough to leave out all of their triangles.
+
+preset-frustum-straddles-name = A box across a plane
+preset-frustum-straddles = The box reaches to both sides of the right plane. So its triangles are tested one by one, and some fall.
+
+preset-frustum-long-object-name = Long object: sphere too large
+preset-frustum-long-object = The sphere around a long object reaches into the frustum. The box does not: choose it and A is culled.
+
+preset-frustum-corner-name = Outside of no single plane
+preset-frustum-corner = A stands beside an edge of the frustum. No plane has all of it outside, so it is kept, and the clipper finds nothing.
+
+preset-frustum-all-inside-name = All inside
+preset-frustum-all-inside = Both spheres lie inside all six planes. None of nearly two thousand triangles needs a test or a cut.
+
+preset-frustum-behind-the-eye-name = Too near and too far
+preset-frustum-behind-the-eye = One ball is behind the eye and one reaches through the far plane. Depth culls like any other direction.
+
+preset-tree-of-eight-name = Eight objects
+preset-tree-of-eight = Objects that stand together fall together: one node stands for all four at the right.
+
+preset-tree-of-a-hundred-name = A hundred objects
+preset-tree-of-a-hundred = A camera sees a part of a field. The tree accepts and rejects whole regions of it.
+
+preset-tree-of-clusters-name = Clusters, by surface area
+preset-tree-of-clusters = Where objects stand in clusters, splitting by surface area puts each cluster into a node. Compare with the median.
+
+preset-tree-of-triangles-name = Triangles of one model
+preset-tree-of-triangles = A ball crosses the right plane. A tree of its triangles finds the part outside without testing each.
+
+preset-tree-all-outside-name = Everything outside
+preset-tree-all-outside = All objects stand to the right. The root alone is tested, and the picture is empty.
+
+preset-tree-all-inside-name = Everything inside
+preset-tree-all-inside = The root lies inside all planes: six tests for all objects.
+
+preset-two-sides-mistake-name = Split: a mistake
+preset-two-sides-mistake = Left all four sides cut; right only the left and the bottom one, as beginners often leave it. What sticks out is outlined.

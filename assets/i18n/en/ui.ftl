@@ -51,6 +51,7 @@ ui-palette-preset = Preset: { $name }
 ui-unit-line = line
 ui-unit-point = point
 ui-unit-polygon = polygon
+ui-unit-objects = objects
 
 ui-stage-off = off
 ui-stage-earlier = { $count } { $count ->
@@ -82,10 +83,6 @@ ui-add-corner-where = In the middle of the longest edge
 ui-remove-corner = Remove one
 ui-remove-corner-where = The last corner; three must stay
 ui-side-order = Sides
-ui-side-order-left-right-bottom-top = left, right, bottom, top
-ui-side-order-bottom-top-left-right = bottom, top, left, right
-ui-side-order-top-right-bottom-left = top, right, bottom, left
-ui-side-order-left-bottom-right-top = left, bottom, right, top
 ui-ends-and-window = Ends and window
 
 ui-tab-step = Step
@@ -236,20 +233,52 @@ column-went = out
 column-dropped = dropped
 ui-thousands = { $count } k
 
+ui-compare = Compare with…
+ui-compare-hint = Type what the other side should have
+ui-compare-nothing = This lab has nothing to be compared with.
+ui-compare-setting = { $setting }: { $value }
+ui-palette-compare = Compare with { $name }
+ui-split-view = Split view
+ui-split-leave = One side
+ui-split-handle = { $name } on side B
+ui-tab-difference = Difference
+ui-difference-none = No difference
+ui-difference-equal = { $count ->
+    [0] Neither side has a result.
+    [one] Both sides have the same single part, bit for bit.
+   *[other] All { $count } parts of the two results are the same, bit for bit.
+}
+ui-difference-pixels = **{ $count }** { $count ->
+    [one] pixel differs
+   *[other] pixels differ
+}
+ui-difference-parts = **{ $count }** { $count ->
+    [one] part differs
+   *[other] parts differ
+}
+ui-difference-changed = in both, but different
+ui-difference-only-a = only in A
+ui-difference-only-b = only in B
+ui-difference-number = in both, another number
+ui-difference-farthest = Numbers differ by at most { $ulps } ULP (steps between 32-bit floats).
+ui-difference-counts = Counts
+ui-difference-list = What differs
+ui-count-steps = steps
+ui-count-comparisons = comparisons
+ui-count-multiplications = multiplications
+ui-count-divisions = divisions
+ui-part-answer = Answer
+ui-part-corner = Corner { $at }
+ui-part-corner-short = corner
+ui-part-pixel = Pixel ({ $x }, { $y }), centre { $centre }
+ui-part-there = there
+ui-part-neither = Neither side has it.
+ui-part-only = Only side { $side } has it ({ $name }: { $value }).
+ui-part-same = Both sides have it, with the same values.
+ui-part-differs = Both sides have it, with different values.
+ui-part-ulps = The numbers are { $ulps } ULP apart.
 ui-space = Space
-ui-space-clip = clip, before ÷ w
-ui-space-camera = camera
 ui-planes = Planes
-ui-planes-all = all six
-ui-planes-near = near only
-ui-planes-guard = guard band
 ui-guard = Factor
 ui-pieces = Result
-ui-pieces-polygon = one polygon
-ui-pieces-triangles = fan of triangles
-ui-mistakes = Common mistakes
-ui-mistake-divide-first = Divide before clip
-ui-mistake-no-near-plane = No near plane
-ui-mistake-no-attributes = New vertices without u
-ui-mistake-walk-order = Intersections in walk order
 ui-vertices-camera = Vertices (camera space)

@@ -1,10 +1,12 @@
-//! `render`: a scene to its image.
+//! `render`: a scene to its image. `"bounding": "box" | "sphere" | "tree"` says what stands for an object
+//! in the skip `object-frustum`; it changes counters, never the image.
 
 use base64::{Engine, engine::general_purpose::STANDARD};
 use rasterscope_core::{
     math::Arithmetic,
     message::Message,
-    pipeline::{self, Frame, Skip, Skips, Stats},
+    pipeline::{self, Bounding, Frame, Pipeline, Skip, Skips, Stats},
+    raster::Algorithm,
     scene::{Scene, SceneError},
 };
 use serde::{Serialize, Serializer};
@@ -41,7 +43,11 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
     if let Some(message) = pipeline::out_of_range(&scene) {
         return Err(Refusal::new("overflow", message));
     }
-    let Frame { size, color, depth, depth_codes, stencil, stats } = pipeline::render(&scene, &skips);
+    let mut pipeline = Pipeline::new(Algorithm::Scanline);
+    let names = ("bounding", "unknown-bounding");
+    pipeline.bounding = request.choice(names, &Bounding::ALL, Bounding::name, &[])?.unwrap_or_default();
+    pipeline.update(&scene, &skips);
+    let Frame { size, color, depth, depth_codes, stencil, stats } = pipeline.into_frame();
     Ok(Answer {
         size,
         color: Base64(color),

@@ -2,7 +2,6 @@
 
 use super::fact::Fact;
 use crate::{math::ulps_between, message::Value};
-use std::{cmp::Ordering, iter::Peekable, vec::IntoIter};
 
 /// What both results say of one subject, and say differently.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +13,12 @@ pub struct Changed {
 }
 
 impl Changed {
+    /// Whether the two differ by rounding alone: in coordinates and depths, not in what is said.
+    pub fn in_numbers_only(&self) -> bool {
+        let mut pairs = self.a.values.iter().zip(&self.b.values);
+        pairs.all(|((_, a), (_, b))| equal(a, b) || ulps(a, b).is_some())
+    }
+
     /// How far the numbers are apart that are farthest apart; `None` if no number differs.
     pub fn ulps(&self) -> Option<u64> {
         let pairs = self.a.values.iter().zip(&self.b.values);
@@ -34,7 +39,56 @@ pub struct Difference {
     pub same: usize,
 }
 
+/// One part of either result, on both sides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part<'a> {
+    /// What A says of it, if anything.
+    pub a: Option<&'a Fact>,
+    /// What B says of it, if anything.
+    pub b: Option<&'a Fact>,
+}
+
+impl<'a> Part<'a> {
+    /// What A says, or B where A says nothing.
+    pub fn either(&self) -> Option<&'a Fact> {
+        self.a.or(self.b)
+    }
+
+    /// Whether both say the same.
+    pub fn agrees(&self) -> bool {
+        match (self.a, self.b) {
+            (Some(a), Some(b)) => agree(a, b),
+            (a, b) => a.is_none() && b.is_none(),
+        }
+    }
+
+    /// Each value by its name, on A and on B.
+    pub fn values(&self) -> Vec<(&'static str, [Option<&'a Value>; 2])> {
+        let names = self.either().map_or(&[][..], |fact| &fact.values).iter().map(|(name, _)| *name);
+        let at = |fact: Option<&'a Fact>, i: usize| fact.and_then(|fact| fact.values.get(i)).map(|(_, v)| v);
+        names.enumerate().map(|(i, name)| (name, [at(self.a, i), at(self.b, i)])).collect()
+    }
+}
+
 impl Difference {
+    /// Every part that differs: what both have first, then A's own, then B's own; what differs in
+    /// numbers only comes last.
+    pub fn parts(&self) -> impl Iterator<Item = Part<'_>> {
+        let changed = |in_numbers: bool| {
+            let of_kind = move |changed: &&Changed| changed.in_numbers_only() == in_numbers;
+            let both = self.changed.iter().filter(of_kind);
+            both.map(|Changed { a, b }| Part { a: Some(a), b: Some(b) })
+        };
+        let only_a = self.only_a.iter().map(|a| Part { a: Some(a), b: None });
+        let only_b = self.only_b.iter().map(|b| Part { a: None, b: Some(b) });
+        changed(false).chain(only_a).chain(only_b).chain(changed(true))
+    }
+
+    /// How many parts of both differ in numbers only.
+    pub fn in_numbers_only(&self) -> usize {
+        self.changed.iter().filter(|changed| changed.in_numbers_only()).count()
+    }
+
     /// How many parts differ.
     pub fn count(&self) -> usize {
         self.only_a.len() + self.only_b.len() + self.changed.len()
@@ -47,51 +101,46 @@ impl Difference {
     }
 }
 
-/// Holds two results against each other.
+/// Holds two results against each other, each in the order of its subjects, as [`sorted`] has it.
 ///
 /// Equal facts cancel. What is left of one subject is paired in order if as much is left on both
-/// sides; else it stands alone. So corners need no names and may come in any order. Cost: that of
-/// sorting both.
-pub fn difference(mut a: Vec<Fact>, mut b: Vec<Fact>) -> Difference {
-    a.sort_by(|p, q| p.subject.cmp(&q.subject));
-    b.sort_by(|p, q| p.subject.cmp(&q.subject));
+/// sides; else it stands alone. So corners need no names and may come in any order. Cost: linear,
+/// but quadratic in the number of facts about one subject.
+pub fn difference(a: &[Fact], b: &[Fact]) -> Difference {
     let mut out = Difference::default();
-    let (mut a, mut b) = (a.into_iter().peekable(), b.into_iter().peekable());
-    loop {
-        let order = match (a.peek(), b.peek()) {
-            (None, None) => return out,
-            (Some(_), None) => Ordering::Less,
-            (None, Some(_)) => Ordering::Greater,
-            (Some(p), Some(q)) => p.subject.cmp(&q.subject),
-        };
-        match order {
-            Ordering::Less => out.only_a.extend(a.next()),
-            Ordering::Greater => out.only_b.extend(b.next()),
-            Ordering::Equal => {
-                let subject = a.peek().map(|fact| fact.subject.clone());
-                let of_one = |facts: &mut Peekable<IntoIter<Fact>>| {
-                    let same = |fact: &Fact| Some(&fact.subject) == subject.as_ref();
-                    std::iter::from_fn(|| facts.next_if(same)).collect::<Vec<_>>()
-                };
-                group(of_one(&mut a), of_one(&mut b), &mut out);
-            }
-        }
+    let (mut a, mut b) = (a, b);
+    while let Some(subject) = [a.first(), b.first()].into_iter().flatten().map(|fact| &fact.subject).min() {
+        let [mine, theirs] =
+            [a, b].map(|facts| facts.split_at(facts.partition_point(|fact| fact.subject <= *subject)));
+        group(mine.0, theirs.0, &mut out);
+        (a, b) = (mine.1, theirs.1);
     }
+    out
+}
+
+/// Facts in the order of their subjects; those about one subject stay in their order.
+pub fn sorted(mut facts: Vec<Fact>) -> Vec<Fact> {
+    facts.sort_by(|p, q| p.subject.cmp(&q.subject));
+    facts
 }
 
 /// All facts about one subject.
-fn group(mut a: Vec<Fact>, mut b: Vec<Fact>, out: &mut Difference) {
-    let before = a.len();
-    a.retain(|fact| {
-        let twin = b.iter().position(|other| agree(fact, other));
-        twin.map(|twin| b.remove(twin)).is_none()
-    });
-    out.same += before - a.len();
-    if a.len() == b.len() {
-        out.changed.extend(a.into_iter().zip(b).map(|(a, b)| Changed { a, b }));
+fn group(a: &[Fact], b: &[Fact], out: &mut Difference) {
+    let mut rest: Vec<&Fact> = b.iter().collect();
+    let mut mine = Vec::new();
+    for fact in a {
+        match rest.iter().position(|other| agree(fact, other)) {
+            Some(twin) => drop(rest.remove(twin)),
+            None => mine.push(fact.clone()),
+        }
+    }
+    out.same += a.len() - mine.len();
+    let rest = rest.into_iter().cloned();
+    if mine.len() == rest.len() {
+        out.changed.extend(mine.into_iter().zip(rest).map(|(a, b)| Changed { a, b }));
     } else {
-        out.only_a.append(&mut a);
-        out.only_b.append(&mut b);
+        out.only_a.append(&mut mine);
+        out.only_b.extend(rest);
     }
 }
 
@@ -102,7 +151,7 @@ fn agree(a: &Fact, b: &Fact) -> bool {
 }
 
 /// Whether two values are the same; unlike `==`, a NaN is the same as a NaN.
-fn equal(a: &Value, b: &Value) -> bool {
+pub fn equal(a: &Value, b: &Value) -> bool {
     match (a, b) {
         (Value::F32(a), Value::F32(b)) => a == b || a.is_nan() && b.is_nan(),
         (Value::F64(a), Value::F64(b)) => a == b || a.is_nan() && b.is_nan(),

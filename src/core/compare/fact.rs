@@ -57,3 +57,27 @@ impl Fact {
         Self { subject: Subject::Pixel(at), at: None, values }
     }
 }
+
+/// How many parts of each kind there are, and the sums of what is counted in them: message ids
+/// with numbers.
+pub fn totals(facts: &[Fact]) -> Vec<(&'static str, i64)> {
+    let mut totals: Vec<(&'static str, i64)> = Vec::new();
+    let mut add = |name: &'static str, n: i64| match totals.iter_mut().find(|(known, _)| *known == name) {
+        Some((_, total)) => *total += n,
+        None => totals.push((name, n)),
+    };
+    for fact in facts {
+        match fact.subject {
+            Subject::Answer => {}
+            Subject::Named(_) => add("compare-named", 1),
+            Subject::Corner => add("compare-corners", 1),
+            Subject::Pixel(_) => add("compare-pixels", 1),
+        }
+        for (name, value) in &fact.values {
+            if let Value::Int(n) = value {
+                add(name, *n);
+            }
+        }
+    }
+    totals
+}

@@ -2,7 +2,8 @@
 
 use super::{
     alignment::Alignment,
-    difference::{Difference, difference},
+    difference::{Difference, Part, difference, sorted},
+    fact::{Fact, Subject},
     setting::side_b,
 };
 use crate::{
@@ -38,6 +39,8 @@ impl Side {
 pub struct Pair {
     runs: [Box<dyn Playback>; 2],
     alignment: Alignment,
+    /// Both results, in the order of their subjects.
+    facts: [Vec<Fact>; 2],
     difference: Difference,
     cursor: usize,
 }
@@ -63,11 +66,12 @@ impl Pair {
     pub fn new(mut runs: [Box<dyn Playback>; 2]) -> Self {
         let [a, b] = &runs;
         let alignment = Alignment::new(a.as_ref(), b.as_ref());
-        let [a, b] = runs.each_mut().map(|run| {
+        let facts = runs.each_mut().map(|run| {
             run.seek(run.len());
-            run.facts()
+            sorted(run.facts())
         });
-        let mut pair = Self { runs, alignment, difference: difference(a, b), cursor: 0 };
+        let difference = difference(&facts[0], &facts[1]);
+        let mut pair = Self { runs, alignment, facts, difference, cursor: 0 };
         pair.seek(0);
         pair
     }
@@ -85,6 +89,35 @@ impl Pair {
     /// What the two results have in common and what not, at the end of both runs.
     pub fn difference(&self) -> &Difference {
         &self.difference
+    }
+
+    /// The result of a side, in the order of its subjects.
+    pub fn facts(&self, side: Side) -> &[Fact] {
+        &self.facts[side as usize]
+    }
+
+    /// What both sides say of what `of` is about; corners have no name, so theirs is their place.
+    pub fn part(&self, of: &Fact) -> Part<'_> {
+        let is =
+            |fact: &Fact| fact.subject == of.subject && (of.subject != Subject::Corner || fact.at == of.at);
+        let about = |part: &Part<'_>| [part.a, part.b].into_iter().flatten().any(is);
+        self.difference.parts().find(about).unwrap_or_else(|| {
+            let [a, b] = self.facts.each_ref().map(|facts| {
+                let first = facts.partition_point(|fact| fact.subject < of.subject);
+                facts[first..].iter().take_while(|fact| fact.subject == of.subject).find(|fact| is(fact))
+            });
+            Part { a, b }
+        })
+    }
+
+    /// Gives the runs back.
+    pub fn into_runs(self) -> [Box<dyn Playback>; 2] {
+        self.runs
+    }
+
+    /// The first common step at which a side is at `step` of its own.
+    pub fn step_of(&self, side: Side, step: usize) -> usize {
+        self.alignment.step_of(side as usize, step)
     }
 
     /// Number of common steps; steps are `0..=len()`.
@@ -131,7 +164,15 @@ impl Pair {
 
     /// Marks of the timeline of a side, at common steps, in order.
     pub fn markers(&self, side: Side) -> Vec<(usize, Marker)> {
-        let own = self.run(side).markers().into_iter();
-        own.map(|(step, marker)| (self.alignment.step_of(side as usize, step), marker)).collect()
+        self.placed(side, self.run(side).markers())
+    }
+
+    /// The names below the marks of a side, at common steps, in order.
+    pub fn captions(&self, side: Side) -> Vec<(usize, Message)> {
+        self.placed(side, self.run(side).captions())
+    }
+
+    fn placed<T>(&self, side: Side, own: Vec<(usize, T)>) -> Vec<(usize, T)> {
+        own.into_iter().map(|(step, what)| (self.step_of(side, step), what)).collect()
     }
 }

@@ -1,5 +1,6 @@
 //! The one thing in which two sides differ.
 
+use super::Choice;
 use crate::{
     cull::{CullMode, FrontFace},
     depth::{CompareFunction, DepthFormat},
@@ -33,6 +34,8 @@ pub enum Setting {
     Cull(CullMode),
     /// Which turning sense is the front, for all draws.
     Front(FrontFace),
+    /// An input of the lab that is a choice among a few values.
+    Choice(Choice),
 }
 
 /// Everything that a scene's lab can be compared with: each alternative to what it has.
@@ -43,7 +46,7 @@ pub fn settings(scene: &Scene) -> Vec<Setting> {
 
 /// Side B of a scene that compares; `None` if it does not.
 pub fn side_b(scene: &Scene) -> Option<Scene> {
-    let setting = scene.lab.as_ref()?.compare?;
+    let setting = scene.compared()?;
     let mut other = scene.clone();
     setting.apply(&mut other);
     Some(other)
@@ -99,7 +102,9 @@ impl Setting {
             Self::Reversed(_) => Self::Reversed(scene.reversed),
             Self::Cull(_) => Self::Cull(scene.draws.first()?.cull),
             Self::Front(_) => Self::Front(scene.draws.first()?.front),
-            Self::Algorithm(_) | Self::Arithmetic(_) => return scene.lab.as_ref()?.input.setting(self),
+            Self::Algorithm(_) | Self::Arithmetic(_) | Self::Choice(_) => {
+                return scene.lab.as_ref()?.input.setting(self);
+            }
         })
     }
 
@@ -121,8 +126,40 @@ impl Setting {
             Self::Cull(cull) => draws.for_each(|draw| draw.cull = cull),
             Self::Front(front) => draws.for_each(|draw| draw.front = front),
             // Inputs of the lab.
-            Self::Algorithm(_) | Self::Arithmetic(_) => {}
+            Self::Algorithm(_) | Self::Arithmetic(_) | Self::Choice(_) => {}
         }
+    }
+
+    /// Takes back what [`apply`](Self::apply) changed: `scene` has the values of `original` again, from
+    /// which it was made. What was edited besides stays.
+    pub fn restore(self, scene: &mut Scene, original: &Scene) {
+        if let (Some(lab), Some(old)) = (&mut scene.lab, &original.lab) {
+            lab.compare = old.compare;
+            if let Some(own) = old.input.setting(self) {
+                lab.input.set(own);
+            }
+        }
+        for (draw, old) in scene.draws.iter_mut().zip(&original.draws) {
+            match self {
+                Self::DepthCompare(_) => draw.depth.compare = old.depth.compare,
+                Self::Cull(_) => draw.cull = old.cull,
+                Self::Front(_) => draw.front = old.front,
+                _ => {}
+            }
+        }
+        match self {
+            Self::FillRule(_) => scene.fill_rule = original.fill_rule,
+            Self::YAxis(_) => scene.y_axis = original.y_axis,
+            Self::DepthFormat(_) => scene.depth_format = original.depth_format,
+            Self::DepthRange(_) => scene.depth_range = original.depth_range,
+            Self::Reversed(_) => scene.reversed = original.reversed,
+            _ => {}
+        }
+    }
+
+    /// Every value that this setting can have in the open lab, its own included.
+    pub fn values(self, scene: &Scene) -> Vec<Self> {
+        candidates(scene).into_iter().filter(|other| other.field() == self.field()).collect()
     }
 
     /// Message id of what differs.
@@ -138,6 +175,7 @@ impl Setting {
             Self::Reversed(_) => "compare-reversed",
             Self::Cull(_) => "compare-cull",
             Self::Front(_) => "compare-front",
+            Self::Choice(choice) => choice.heading,
         }
     }
 
@@ -155,6 +193,7 @@ impl Setting {
             Self::Reversed(true) => Value::Word("compare-is-reversed"),
             Self::Cull(cull) => Value::Word(cull.word()),
             Self::Front(front) => Value::Word(front.word()),
+            Self::Choice(choice) => Value::Word(choice.word),
         }
     }
 
@@ -171,6 +210,7 @@ impl Setting {
             Self::Reversed(_) => "reversed",
             Self::Cull(_) => "cull",
             Self::Front(_) => "front",
+            Self::Choice(choice) => choice.field,
         }
     }
 
@@ -187,6 +227,7 @@ impl Setting {
             Self::Reversed(reversed) => ["false", "true"][usize::from(reversed)],
             Self::Cull(cull) => cull.name(),
             Self::Front(front) => front.name(),
+            Self::Choice(choice) => choice.json,
         }
     }
 

@@ -57,23 +57,6 @@ impl Bounds {
         };
         Self { min: [0, 1, 2, 3].map(|i| end(i, true)), max: [0, 1, 2, 3].map(|i| end(i, false)) }
     }
-
-    /// A plane that everything within lies strictly outside of.
-    ///
-    /// Bounds in clip space. Never wrong, but the box is larger than what is in it, so that some objects
-    /// beside the frustum are not found.
-    pub fn outside(&self, range: DepthRange) -> Option<Plane> {
-        Plane::ALL.into_iter().find(|&plane| {
-            // The corner with the largest distance; each distance is a sum or difference of two.
-            let [x, y, z, w] = self.max;
-            let [min_x, min_y, min_z, _] = self.min;
-            let farthest = match plane {
-                Plane::Left | Plane::Bottom | Plane::Near => [x, y, z, w],
-                Plane::Right | Plane::Top | Plane::Far => [min_x, min_y, min_z, w],
-            };
-            distance_is_negative(plane, farthest, range)
-        })
-    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Culling: which triangles need no further work, decided exactly and once.
 
 pub mod back_face;
+pub mod bvh;
 pub mod camera_normal;
 pub mod degenerate;
 pub mod facing;
@@ -8,6 +9,7 @@ pub mod frustum;
 pub mod ndc_normal;
 pub mod number;
 pub mod object_eye;
+pub mod object_frustum;
 pub mod plane_equation;
 pub mod planes;
 pub mod screen_area;

@@ -7,7 +7,7 @@ use super::{
     transform::check_index,
 };
 use crate::{
-    compare::Setting,
+    compare::{Choice, Setting},
     cull::back_face::{self, EdgeOn, Input, Settings},
     math::Arithmetic,
     message::Message,
@@ -65,6 +65,16 @@ impl Family for BackFace {
     fn settings(&self, scene: &Scene) -> Vec<Setting> {
         let arithmetics = ARITHMETICS.map(Setting::Arithmetic).into_iter();
         arithmetics.chain(Setting::of_facing(scene)).chain(YAxis::ALL.map(Setting::YAxis)).collect()
+    }
+
+    fn choices(&self) -> Vec<Choice> {
+        let rules = [
+            ("\"neither\"", "back-face-rule-neither"),
+            ("\"back\"", "back-face-rule-back"),
+            ("\"front\"", "back-face-rule-front"),
+            ("\"as-taught\"", "back-face-rule-as-taught"),
+        ];
+        Choice::all("edge_on", "compare-edge-on", rules).to_vec()
     }
 
     fn setting(&self, like: Setting) -> Option<Setting> {

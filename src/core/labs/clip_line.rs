@@ -6,7 +6,7 @@ use crate::{
         Algorithm, Mistakes, Window, cohen_sutherland, cyrus_beck, liang_barsky, midpoint,
         nicholl_lee_nicholl,
     },
-    compare::Setting,
+    compare::{Choice, Setting},
     math::Arithmetic,
     message::Message,
     replay::{Budget, Playback},
@@ -94,6 +94,18 @@ impl Family for ClipLine {
 
     fn settings(&self, _: &Scene) -> Vec<Setting> {
         ARITHMETICS.map(Setting::Arithmetic).to_vec()
+    }
+
+    fn choices(&self) -> Vec<Choice> {
+        let mistakes = [
+            ("[]", "mistake-none"),
+            ("[\"or-for-and\"]", "mistake-or-for-and"),
+            ("[\"other-order\"]", "mistake-other-order"),
+        ];
+        match self.algorithm {
+            Algorithm::CohenSutherland => Choice::all("mistakes", "compare-mistake", mistakes).to_vec(),
+            _ => Vec::new(),
+        }
     }
 
     fn setting(&self, like: Setting) -> Option<Setting> {

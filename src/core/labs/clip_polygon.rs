@@ -9,7 +9,7 @@ use crate::{
             sutherland_hodgman::{self, Mistake, Settings, SideOrder},
         },
     },
-    compare::Setting,
+    compare::{Choice, Setting},
     math::Arithmetic,
     message::Message,
     replay::{Budget, Playback},
@@ -104,6 +104,23 @@ impl Family for ClipPolygon {
 
     fn settings(&self, _: &Scene) -> Vec<Setting> {
         self.algorithm.arithmetics().iter().copied().map(Setting::Arithmetic).collect()
+    }
+
+    fn choices(&self) -> Vec<Choice> {
+        let mistakes = [
+            ("null", "mistake-none"),
+            ("\"two-sides\"", "mistake-two-sides"),
+            ("\"either-end\"", "mistake-either-end"),
+        ];
+        let orders = [
+            ("\"left-right-bottom-top\"", "word-side-order-left-right-bottom-top"),
+            ("\"bottom-top-left-right\"", "word-side-order-bottom-top-left-right"),
+            ("\"top-right-bottom-left\"", "word-side-order-top-right-bottom-left"),
+            ("\"left-bottom-right-top\"", "word-side-order-left-bottom-right-top"),
+        ];
+        let mut all = Choice::all("mistake", "compare-mistake", mistakes).to_vec();
+        all.extend(Choice::all("order", "compare-order", orders));
+        all
     }
 
     fn setting(&self, like: Setting) -> Option<Setting> {

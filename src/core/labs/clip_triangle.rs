@@ -6,7 +6,7 @@ use crate::{
         PlaneSet,
         clip_triangle::{self, Mistake, Pieces, Settings, Space, Subject},
     },
-    compare::Setting,
+    compare::{Choice, Setting},
     math::Arithmetic,
     message::Message,
     replay::{Budget, Playback},
@@ -139,6 +139,28 @@ impl Family for ClipTriangle {
     fn settings(&self, _: &Scene) -> Vec<Setting> {
         let ranges = DepthRange::ALL.map(Setting::DepthRange);
         ARITHMETICS.map(Setting::Arithmetic).into_iter().chain(ranges).collect()
+    }
+
+    fn choices(&self) -> Vec<Choice> {
+        let mistakes = [
+            ("\"none\"", "mistake-none"),
+            ("\"divide-first\"", "mistake-divide-first"),
+            ("\"no-near-plane\"", "mistake-no-near-plane"),
+            ("\"no-attributes\"", "mistake-no-attributes"),
+            ("\"walk-order\"", "mistake-walk-order"),
+        ];
+        let spaces = [("\"clip\"", "word-space-clip"), ("\"camera\"", "word-space-camera")];
+        let planes = [
+            ("\"all\"", "word-planes-all"),
+            ("\"near\"", "word-planes-near"),
+            ("{\"guard\":2}", "word-planes-guard"),
+        ];
+        let pieces = [("\"polygon\"", "word-pieces-polygon"), ("\"triangles\"", "word-pieces-triangles")];
+        let mut all = Choice::all("mistake", "compare-mistake", mistakes).to_vec();
+        all.extend(Choice::all("space", "compare-space", spaces));
+        all.extend(Choice::all("planes", "compare-planes", planes));
+        all.extend(Choice::all("pieces", "compare-pieces", pieces));
+        all
     }
 
     fn setting(&self, like: Setting) -> Option<Setting> {

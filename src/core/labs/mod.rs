@@ -6,11 +6,13 @@
 //! a line in [`ALL`], and for a new family a line in [`LabInput`].
 
 mod back_face;
+mod bvh;
 mod clip_convex;
 mod clip_line;
 mod clip_point;
 mod clip_polygon;
 mod clip_triangle;
+mod frustum_culling;
 mod lectures;
 mod pipeline;
 mod scanline;
@@ -19,14 +21,23 @@ mod z_buffer;
 
 pub use self::lectures::Topic;
 pub use self::{
-    back_face::BackFace, clip_convex::ClipConvex, clip_line::ClipLine, clip_point::ClipPoint,
-    clip_polygon::ClipPolygon, clip_triangle::ClipTriangle, pipeline::Pipeline, scanline::Scanline,
-    transform::Transform, z_buffer::ZBuffer,
+    back_face::BackFace,
+    bvh::{Bvh, Over},
+    clip_convex::ClipConvex,
+    clip_line::ClipLine,
+    clip_point::ClipPoint,
+    clip_polygon::ClipPolygon,
+    clip_triangle::ClipTriangle,
+    frustum_culling::FrustumCulling,
+    pipeline::Pipeline,
+    scanline::Scanline,
+    transform::Transform,
+    z_buffer::ZBuffer,
 };
 pub use crate::stage::Stage;
 
 use crate::{
-    compare::Setting,
+    compare::{Choice, Setting},
     message::{Message, Value},
     raster,
     replay::{Budget, Playback},
@@ -82,6 +93,8 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<Pipeline>("pipeline", Stage::Image),
     LabInfo::new::<Transform>("transform", Stage::ClipSpace),
     LabInfo::new::<BackFace>("back-face", Stage::Cull),
+    LabInfo::new::<FrustumCulling>("frustum-culling", Stage::Cull),
+    LabInfo::new::<Bvh>("bvh", Stage::Cull),
     LabInfo::new::<ClipPoint>("point-clipping", Stage::Clip),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
@@ -130,6 +143,11 @@ pub(crate) trait Family: Clone + Serialize + DeserializeOwned + Into<LabInput> {
     /// Every value of every setting that the run reads, its own included: what it can be compared
     /// with. The algorithms of the family go without saying.
     fn settings(&self, _scene: &Scene) -> Vec<Setting> {
+        Vec::new()
+    }
+
+    /// Every value of every input that is a choice among a few, the default of each first.
+    fn choices(&self) -> Vec<Choice> {
         Vec::new()
     }
 
@@ -182,19 +200,30 @@ macro_rules! families {
 
             /// Every value of every setting that the run reads, its own included.
             pub(crate) fn settings(&self, scene: &Scene) -> Vec<Setting> {
-                match self { $(Self::$family(input) => input.settings(scene),)* }
+                let choices = self.choices().into_iter().map(Setting::Choice);
+                let own = match self { $(Self::$family(input) => input.settings(scene),)* };
+                choices.chain(own).collect()
+            }
+
+            /// Every value of every input that is a choice among a few, the default of each first.
+            pub(crate) fn choices(&self) -> Vec<Choice> {
+                match self { $(Self::$family(input) => input.choices(),)* }
             }
 
             /// The value here of a setting that is an input; `None` if it is none.
             pub(crate) fn setting(&self, like: Setting) -> Option<Setting> {
                 match (self, like) {
                     (_, Setting::Algorithm(_)) => Some(Setting::Algorithm(self.name())),
+                    (_, Setting::Choice(like)) => self.choice(like).map(Setting::Choice),
                     $((Self::$family(input), like) => input.setting(like),)*
                 }
             }
 
             /// Takes the value of a setting that is an input; leaves others alone.
             pub(crate) fn set(&mut self, setting: Setting) {
+                if let Setting::Choice(choice) = setting {
+                    return self.choose(choice);
+                }
                 match (self, setting) {
                     $((Self::$family(input), Setting::Algorithm(name)) => {
                         *input = input.clone().named(name);
@@ -229,6 +258,10 @@ families! {
     BackFace
     /// One triangle against the planes of the frustum.
     ClipTriangle
+    /// Objects against the frustum.
+    FrustumCulling
+    /// A tree of boxes against the frustum.
+    Bvh
     /// The whole scene, stage by stage.
     Pipeline
 }
@@ -236,6 +269,33 @@ families! {
 impl LabInput {
     /// The whole scene.
     pub const PIPELINE: Self = Self::Pipeline(Pipeline {});
+
+    /// The value of an input that is a choice.
+    fn choice(&self, like: Choice) -> Option<Choice> {
+        let fields = serde_json::to_value(self).ok()?;
+        let mut all = self.choices().into_iter().filter(|choice| choice.field == like.field);
+        match fields.get(like.field).filter(|value| !value.is_null()) {
+            Some(value) => all.find(|choice| choice.value() == *value),
+            None => all.next(),
+        }
+    }
+
+    /// Takes the value of an input that is a choice; what is none leaves it as it is.
+    fn choose(&mut self, choice: Choice) {
+        let default = self.choices().into_iter().find(|other| other.field == choice.field);
+        let (Ok(serde_json::Value::Object(mut fields)), Some(default)) =
+            (serde_json::to_value(&*self), default)
+        else {
+            return;
+        };
+        fields.remove(choice.field);
+        if choice != default {
+            fields.insert(choice.field.to_owned(), choice.value());
+        }
+        if let Some(Ok(input)) = find(self.name()).map(|lab| lab.read(&fields.into())) {
+            *self = input;
+        }
+    }
 
     /// The names of the labs whose algorithms take these very inputs, its own included.
     pub fn algorithms(&self) -> Vec<&'static str> {

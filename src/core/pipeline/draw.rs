@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use super::{
-    Skip, Skips, Stats,
+    Bounding, Skip, Skips, Stats,
     stages::{self, Clipped, CullKey, Culled, Fate, Point},
     stats::Reason,
 };
 use crate::{
     clip::polygon::Plane,
-    cull::{Facing, frustum::Bounds},
+    cull::{Facing, bvh::Aabb, frustum::Bounds, object_frustum::Body, planes::Volume},
     memo::{Memo, Rev},
     scene::{Draw, Mesh, Scene, Shade},
     stage::Stage,
@@ -78,6 +78,7 @@ pub struct DrawOutputs {
     mesh_rev: u64,
     model: Matrix,
     bounds: Kept<u64, Option<Bounds>>,
+    body: Kept<(u64, Body), Option<Volume>>,
     outside: Option<Plane>,
     world: Kept<(u64, Matrix, bool), Vec<Point>>,
     view: Kept<(u64, Matrix), Vec<Point>>,
@@ -100,7 +101,7 @@ impl DrawOutputs {
         &self.model
     }
 
-    /// The plane that the object's bounding box lies outside of. Its vertices were not transformed
+    /// The plane that the body around the object lies outside of. Its vertices were not transformed
     /// then, and all further stages are empty.
     pub fn outside(&self) -> Option<Plane> {
         self.outside
@@ -165,20 +166,40 @@ impl DrawOutputs {
         [self.polygons.out.rev(), self.screen.out.rev(), self.shade.out.rev()]
     }
 
-    pub(super) fn update(&mut self, draw: &Draw, shared: &Shared<'_>) {
+    /// Takes the draw's mesh and place, and what stands for the object in the frustum test.
+    pub(super) fn place(&mut self, draw: &Draw, bounding: Bounding) {
         self.set_mesh(draw.geometry.mesh().cloned().unwrap_or_default());
         let mesh = &*self.mesh;
         self.model = model_matrix(&draw.transform);
-        self.bounds.update(self.mesh_rev, || Bounds::of(&mesh.positions));
-        self.outside = if shared.skips.has(Skip::ObjectFrustum) {
-            let through = |bounds: &Bounds| {
-                let clip = bounds.through(&self.model).through(&shared.view).through(&shared.projection);
-                clip.outside(shared.scene.depth_range)
-            };
-            self.bounds.out.get().as_ref().and_then(through)
-        } else {
-            None
-        };
+        match bounding {
+            Bounding::Tree => self.bounds.update(self.mesh_rev, || Bounds::of(&mesh.positions)),
+            Bounding::Box => self.keep_body(Body::Box),
+            Bounding::Sphere => self.keep_body(Body::Sphere),
+        }
+    }
+
+    fn keep_body(&mut self, body: Body) {
+        let mesh = &*self.mesh;
+        self.body.update((self.mesh_rev, body), || body.around(&mesh.positions));
+    }
+
+    /// The body around the object in object space; `None` if it has no vertices.
+    pub(super) fn body(&self) -> Option<&Volume> {
+        self.body.out.get().as_ref()
+    }
+
+    /// A box that no vertex in world space lies outside of, rounded as the pipeline does; `None` for a
+    /// model whose matrix is a projection: its vertices are no points there.
+    pub(super) fn world_box(&self) -> Option<Aabb> {
+        let Bounds { min, max } = self.bounds.out.get().as_ref()?.through(&self.model);
+        let corner = |[x, y, z, _]: [f32; 4]| [x, y, z];
+        (min[3] == 1.0 && max[3] == 1.0).then(|| [corner(min), corner(max)])
+    }
+
+    /// Brings the stages up to date; `outside`: a plane that the whole object lies outside of.
+    pub(super) fn update(&mut self, draw: &Draw, shared: &Shared<'_>, outside: Option<Plane>) {
+        self.outside = outside;
+        let mesh = &*self.mesh;
         let model = self.model;
         let is_outside = self.outside.is_some();
         self.world.update((self.mesh_rev, model, is_outside), || {

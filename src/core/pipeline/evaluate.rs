@@ -1,7 +1,7 @@
 //! The whole pipeline, recomputed only where something changed.
 
 use super::{
-    Frame, Skip, Skips, Stats,
+    Bounding, Frame, Skip, Skips, Stats,
     draw::{DrawOutputs, DrawRuns, Shared},
     fragments::{FragmentState, ImageState, ScreenTriangle, Target},
 };
@@ -48,6 +48,8 @@ type ImageKey = (ImageState, Vec<([u64; 3], FragmentState)>);
 pub struct Pipeline {
     /// Which algorithm converts triangles to pixels; all give the same image.
     pub algorithm: Algorithm,
+    /// What stands for an object in the skip `object-frustum`; all give the same image.
+    pub bounding: Bounding,
     outputs: Outputs,
     image: Memo<ImageKey, ()>,
     target: Option<Target>,
@@ -84,7 +86,7 @@ impl Pipeline {
     /// Without the skip `memo` everything is computed anew and the counts of runs start again.
     pub fn update(&mut self, scene: &Scene, skips: &Skips) -> &Outputs {
         if !skips.has(Skip::Memo) {
-            *self = Self::new(self.algorithm);
+            *self = Self { bounding: self.bounding, ..Self::new(self.algorithm) };
         }
         let runs = |outputs: &Outputs| outputs.draws.iter().map(|draw| draw.runs().total()).sum::<usize>();
         let before = runs(&self.outputs) + self.image.runs();
@@ -116,14 +118,21 @@ impl Pipeline {
             viewport: outputs.viewport,
             skips,
         };
-        for (stages, draw) in outputs.draws.iter_mut().zip(&scene.draws) {
-            stages.update(draw, &shared);
+        let draws = &mut outputs.draws;
+        for (stages, draw) in draws.iter_mut().zip(&scene.draws) {
+            stages.place(draw, self.bounding);
+        }
+        let looked_for = skips.has(Skip::ObjectFrustum);
+        let outside = if looked_for { self.bounding.outside(draws, &shared) } else { Vec::new() };
+        let outside = outside.into_iter().chain(std::iter::repeat(None));
+        for ((stages, draw), outside) in draws.iter_mut().zip(&scene.draws).zip(outside) {
+            stages.update(draw, &shared, outside);
         }
     }
 
     /// Draws the image if anything it depends on changed.
     fn draw_image(&mut self, scene: &Scene, skips: &Skips) {
-        let Self { algorithm, outputs: Outputs { draws, frame, .. }, image, target } = self;
+        let Self { algorithm, outputs: Outputs { draws, frame, .. }, image, target, .. } = self;
         let state = ImageState::new(scene, *algorithm, *skips);
         let states = draws.iter().zip(&scene.draws);
         let states = states.map(|(outputs, draw)| (outputs.revisions(), FragmentState::new(draw)));

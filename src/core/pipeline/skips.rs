@@ -6,7 +6,7 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Skip {
-    /// Objects whose bounding box is outside the frustum: their vertices are not transformed.
+    /// Objects of which a body around them is outside the frustum: their vertices are not transformed.
     ObjectFrustum,
     /// Triangles wholly outside one plane: neither their facing nor their clipping is looked at.
     Frustum,

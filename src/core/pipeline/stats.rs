@@ -9,7 +9,7 @@ use crate::{math::Tally, message::Value, stage::Stage};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Reason {
-    /// The object's bounding box lies outside the frustum.
+    /// A body around the object lies outside the frustum.
     ObjectFrustum,
     /// The triangle lies outside one plane of the frustum.
     Frustum,

@@ -51,6 +51,17 @@ impl Scene {
     /// The scene-file version that this program writes, and the newest that it reads.
     pub const VERSION: u32 = 1;
 
+    /// The setting in which side B of a split view differs, if there are two sides.
+    pub fn compared(&self) -> Option<Setting> {
+        self.lab.as_ref().and_then(|lab| lab.compare)
+    }
+
+    /// Whether two scenes differ in nothing but what they are compared with.
+    pub fn same_side_a(&self, other: &Self) -> bool {
+        let input = |scene: &Self| scene.lab.as_ref().map(|lab| lab.input.clone());
+        self.same_picture(other) && input(self) == input(other)
+    }
+
     /// Whether two scenes differ at most in the lab that is open.
     pub fn same_picture(&self, other: &Self) -> bool {
         let Self {

@@ -153,6 +153,7 @@ fn marks_of_any_size_draw_something_bounded() {
                 Shape::Circle { center: at, .. } | Shape::Text { at, .. } => assert!(near(at)),
                 Shape::Rect { min, .. } => assert!(near(min), "{min:?}"),
                 Shape::Image { .. } => {}
+                Shape::Inset { .. } => panic!("a drawing of marks holds no other drawing"),
             }
         }
     }

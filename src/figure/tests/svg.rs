@@ -3,13 +3,16 @@
 use std::sync::Arc;
 
 use rasterscope_core::{
+    compare::Pair,
     explain::{Grid, Label, Mark, Role, Sign, View},
     message::{Message, Value},
+    replay::Budget,
+    scene::{Scene, preset},
 };
 use rasterscope_figure::{
     figure::{Figure, Shape},
     layout::{self, Placement},
-    png, svg,
+    png, split, svg,
     theme::ThemeName,
     words::Words,
 };
@@ -70,4 +73,26 @@ fn a_file_with_a_picture_in_it_is_read_by_others() {
     let shapes = vec![Shape::Image { min: [0.0; 2], max: [30.0, 20.0], size: [3, 2], rgba }];
     let figure = Figure { size: [30.0, 20.0], background: ThemeName::Dark.theme().canvas, shapes };
     assert!(usvg::Tree::from_str(&svg::svg(&figure), &usvg::Options::default()).is_ok());
+}
+
+/// Two sides are drawings in a drawing: nothing of one may run into the other.
+#[test]
+fn an_independent_renderer_sees_the_same_two_sides() {
+    let preset = preset("two-sides-tie").expect("it is one");
+    let scene = Scene::from_json(preset.json.as_bytes()).expect("it can be read");
+    let setting = scene.compared().expect("it compares");
+    let own = [setting.of(&scene).expect("it has one"), setting];
+    let mut pair = Pair::play(&scene, Budget::default()).expect("it compares").expect("it runs");
+    pair.seek(pair.len());
+    let size = [760.0, 480.0];
+    for theme in ThemeName::ALL {
+        let figure = split::draw(&pair, own, size, 24.0, theme.theme(), &Words::default());
+        let texts: Vec<_> = figure.texts().collect();
+        assert!(texts.contains(&"top-left") && texts.contains(&"inclusive"), "{texts:?}");
+        let ours = png::pixmap(&figure, 1.0);
+        let theirs = rendered(&svg::svg(&figure), [ours.width(), ours.height()]);
+        let far = |(a, b): (&u8, &u8)| a.abs_diff(*b) > 24;
+        let differ = ours.data().iter().zip(theirs.data()).filter(|&pair| far(pair)).count();
+        assert!(differ < ours.data().len() / 2000, "{}: {differ} values differ", theme.name());
+    }
 }

@@ -1,6 +1,6 @@
 //! Back-face tests: one triangle, asked six times whether the eye sees its back.
 
-use super::{Handle, Lab, Outcome, placing};
+use super::{Handle, Lab, Outcome, SolidHandle, placing};
 use crate::{
     document::{Document, ViewState},
     face::Face,
@@ -8,12 +8,14 @@ use crate::{
     widgets::heading,
 };
 use egui::Ui;
+use glam::{DMat4, DVec4};
 use rasterscope_core::{
     cull::back_face::EdgeOn,
     explain::{Marker, Role},
     labs::{self, LabInput},
     math::Arithmetic,
-    scene::{Geometry, Scene},
+    scene::{Draw, Geometry, Scene},
+    transform::{apply, chain::model_matrix},
 };
 use std::sync::Arc;
 
@@ -53,6 +55,32 @@ impl Lab for BackFace {
         Vec::new()
     }
 
+    fn solid_handles(&self, document: &Document) -> Vec<SolidHandle> {
+        let Some((of, indices)) = triangle(&document.scene, document.input()) else { return Vec::new() };
+        let Geometry::Mesh(mesh) = &of.geometry else { return Vec::new() };
+        let model = model_matrix(&of.transform);
+        let handle = |(i, index): (usize, &u32)| {
+            let [x, y, z] = mesh.positions[*index as usize];
+            let [x, y, z, _] = apply(&model, [x, y, z, 1.0]);
+            SolidHandle { name: format!("p{i}"), at: [x, y, z] }
+        };
+        indices.iter().enumerate().map(handle).collect()
+    }
+
+    fn drag_solid(&self, document: &mut Document, handle: usize, to: [f32; 3]) {
+        let LabInput::BackFace(labs::BackFace { draw, .. }) = *document.input() else { return };
+        let Some((of, indices)) = triangle(&document.scene, document.input()) else { return };
+        let model = DMat4::from_cols_array(&model_matrix(&of.transform).map(f64::from));
+        let [x, y, z] = to.map(f64::from);
+        let at = model.inverse() * DVec4::new(x, y, z, 1.0);
+        // Shown numbers have at most four decimals: a drag gives no more.
+        let at = (at / at.w * 4096.0).round() / 4096.0;
+        if let (true, Geometry::Mesh(mesh)) = (at.is_finite(), &mut document.scene.draws[draw].geometry) {
+            let [x, y, z, _] = at.as_vec4().to_array();
+            Arc::make_mut(mesh).positions[indices[handle] as usize] = [x + 0.0, y + 0.0, z + 0.0];
+        }
+    }
+
     fn outcome(&self, _: &Document, markers: &[(usize, Marker)]) -> Option<Outcome> {
         let kept = markers.last().is_some_and(|(_, marker)| marker.role == Role::Accepted);
         let given = (1, "pipeline-unit-triangles");
@@ -60,6 +88,13 @@ impl Lab for BackFace {
     }
 
     fn drag(&self, _: &mut Document, _: usize, _: [f32; 2]) {}
+}
+
+/// The chosen draw and the indices of the chosen triangle.
+fn triangle<'s>(scene: &'s Scene, input: &LabInput) -> Option<(&'s Draw, [u32; 3])> {
+    let LabInput::BackFace(labs::BackFace { draw, triangle, .. }) = *input else { return None };
+    let of = scene.draws.get(draw)?;
+    Some((of, *of.geometry.mesh()?.triangles.get(triangle)?))
 }
 
 /// The vertices of the chosen triangle, if they stand in the scene file.

@@ -128,10 +128,10 @@ fn add_corner(polygon: &mut Vec<[f32; 2]>) {
 fn order(ui: &mut Ui, face: &Face<'_>, order: &mut SideOrder) {
     let all = SideOrder::ALL.map(|each| {
         let name = match each {
-            SideOrder::LeftRightBottomTop => "ui-side-order-left-right-bottom-top",
-            SideOrder::BottomTopLeftRight => "ui-side-order-bottom-top-left-right",
-            SideOrder::TopRightBottomLeft => "ui-side-order-top-right-bottom-left",
-            SideOrder::LeftBottomRightTop => "ui-side-order-left-bottom-right-top",
+            SideOrder::LeftRightBottomTop => "word-side-order-left-right-bottom-top",
+            SideOrder::BottomTopLeftRight => "word-side-order-bottom-top-left-right",
+            SideOrder::TopRightBottomLeft => "word-side-order-top-right-bottom-left",
+            SideOrder::LeftBottomRightTop => "word-side-order-left-bottom-right-top",
         };
         (each, face.say(name))
     });

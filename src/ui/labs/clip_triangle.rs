@@ -30,13 +30,14 @@ impl Lab for ClipTriangle {
     fn controls(&self, ui: &mut Ui, face: &Face<'_>, document: &mut Document, view: &mut ViewState) {
         let LabInput::ClipTriangle(mut input) = *document.input() else { return };
         heading(ui, face, &face.say("ui-conventions"));
-        let spaces = [(Space::Clip, face.say("ui-space-clip")), (Space::Camera, face.say("ui-space-camera"))];
+        let spaces =
+            [(Space::Clip, face.say("word-space-clip")), (Space::Camera, face.say("word-space-camera"))];
         choices::choose(ui, face, "ui-space", &mut input.space, &spaces);
         depth_range(ui, face, document);
         planes(ui, face, &mut input.planes);
         let pieces = [
-            (Pieces::Polygon, face.say("ui-pieces-polygon")),
-            (Pieces::Triangles, face.say("ui-pieces-triangles")),
+            (Pieces::Polygon, face.say("word-pieces-polygon")),
+            (Pieces::Triangles, face.say("word-pieces-triangles")),
         ];
         choices::choose(ui, face, "ui-pieces", &mut input.pieces, &pieces);
         let all =
@@ -45,10 +46,10 @@ impl Lab for ClipTriangle {
         choices::snapping(ui, face, view);
         heading(ui, face, &face.say("ui-mistakes"));
         for (mistake, name) in [
-            (Mistake::DivideFirst, "ui-mistake-divide-first"),
-            (Mistake::NoNearPlane, "ui-mistake-no-near-plane"),
-            (Mistake::NoAttributes, "ui-mistake-no-attributes"),
-            (Mistake::WalkOrder, "ui-mistake-walk-order"),
+            (Mistake::DivideFirst, "mistake-divide-first"),
+            (Mistake::NoNearPlane, "mistake-no-near-plane"),
+            (Mistake::NoAttributes, "mistake-no-attributes"),
+            (Mistake::WalkOrder, "mistake-walk-order"),
         ] {
             let mut on = input.mistake == mistake;
             choices::check(ui, face, name, &mut on);
@@ -117,9 +118,9 @@ fn planes(ui: &mut Ui, face: &Face<'_>, planes: &mut PlaneSet) {
         PlaneSet::All | PlaneSet::Near => PlaneSet::Guard(2),
     };
     let all = [
-        (PlaneSet::All, face.say("ui-planes-all")),
-        (PlaneSet::Near, face.say("ui-planes-near")),
-        (kept, face.say("ui-planes-guard")),
+        (PlaneSet::All, face.say("word-planes-all")),
+        (PlaneSet::Near, face.say("word-planes-near")),
+        (kept, face.say("word-planes-guard")),
     ];
     choices::choose(ui, face, "ui-planes", planes, &all);
     if let PlaneSet::Guard(power) = planes {

@@ -4,11 +4,13 @@
 //! inspector and painting are the shell's, the same for all.
 
 mod back_face;
+mod bvh;
 mod clip_line;
 mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
 mod cyrus_beck;
+mod frustum_culling;
 mod liang_barsky;
 mod midpoint;
 mod nicholl_lee_nicholl;
@@ -132,6 +134,8 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(pipeline::Pipeline),
         Box::new(transform::Transform),
         Box::new(back_face::BackFace),
+        Box::new(frustum_culling::FrustumCulling),
+        Box::new(bvh::Bvh),
         Box::new(point_clipping::PointClipping),
         Box::new(cohen_sutherland::LAB),
         Box::new(liang_barsky::LAB),

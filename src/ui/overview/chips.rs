@@ -20,13 +20,18 @@ pub(super) fn chips(outputs: &Outputs, theme: ThemeName, words: &Words) -> Vec<C
     let stats = &outputs.frame.stats;
     let chip = |stage: Stage| {
         let count = stats.stage(stage);
-        let most = count.reasons().max_by_key(|(_, n)| *n);
+        // The most frequent reason first: where there is no room, it stands alone.
+        let mut reasons: Vec<_> = count.reasons().collect();
+        reasons.sort_by_key(|(_, n)| std::cmp::Reverse(*n));
         let number = |n: u64| numbers::integer(i64::try_from(n).unwrap_or(i64::MAX));
         Chip {
             stage,
             count: count.on.then(|| number(count.went)),
             unit: words.word(Unit::of(stage).word()),
-            skipped: most.map(|(reason, n)| format!("{} {}", number(n), words.word(reason.word()))),
+            skipped: reasons
+                .into_iter()
+                .map(|(reason, n)| format!("{} {}", number(n), words.word(reason.word())))
+                .collect(),
             thumbnail: if count.on { thumbnails::of(stage, outputs, theme) } else { None },
         }
     };

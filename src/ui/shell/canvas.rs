@@ -4,6 +4,7 @@ use super::{
     halo,
     handles::{self, Plane},
     outside::{self, Outside},
+    readout::readout,
 };
 use crate::{
     document::{Snap, Tab, ViewState},
@@ -11,24 +12,26 @@ use crate::{
     labs::{Handle, Open, SolidHandle},
     overview::Hover,
     paint::{self, Textures},
-    theme::Text,
-    widgets::{focus_ring, text_in},
+    widgets::focus_ring,
 };
-use egui::{Align2, Id, Pos2, Rect, Response, Role as Part, Sense, Ui, Vec2, WidgetInfo, pos2, vec2};
+use egui::{Id, Pos2, Rect, Response, Role as Part, Sense, Ui, Vec2, WidgetInfo};
 use rasterscope_core::{
+    compare::{Difference, Fact, Side},
     explain::{Grid, Mark, Vantage, View},
-    message::{Message, Value},
+    message::Value,
 };
 use rasterscope_figure::{
     figure::Figure,
     layout::{self, Placement, Places},
     orbit::Orbit,
-    space,
+    space, split,
     theme::ThemeName,
 };
 
 /// Handles nearer than this to the border make the drawing fit anew.
 const BORDER: f32 = 24.0;
+/// A click nearer than this to a point of the result chooses it.
+const NEAR: f32 = 24.0;
 /// Room round a fitted drawing.
 pub(crate) const INSET: f32 = 12.0;
 
@@ -41,6 +44,20 @@ pub(crate) struct Drawing<'a> {
     pub(crate) vantage: Option<&'a Vantage>,
     /// Differs whenever the marks or the view may have changed: who made them, and which.
     pub(crate) rev: (Maker, u64),
+    /// What it is compared with, if it is one of two.
+    pub(crate) compared: Option<Compared<'a>>,
+}
+
+/// What a drawing is compared with.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Compared<'a> {
+    pub(crate) side: Side,
+    /// All parts of this side's result.
+    pub(crate) facts: &'a [Fact],
+    /// What differs, once both results are there.
+    pub(crate) difference: Option<&'a Difference>,
+    /// The part that is explained.
+    pub(crate) chosen: Option<&'a Fact>,
 }
 
 /// Who made a drawing.
@@ -73,7 +90,7 @@ pub(crate) struct Canvas {
 }
 
 /// What a figure was made of.
-type FigureKey = ((Maker, u64), Placement, Option<Orbit>, Vec2, ThemeName, bool);
+type FigureKey = ((Maker, u64), Placement, Option<Orbit>, Vec2, ThemeName, bool, Option<Fact>);
 
 impl Canvas {
     /// Fits the drawing into the canvas at the next frame.
@@ -109,6 +126,25 @@ impl Canvas {
         self.placement.filter(|_| of_run)
     }
 
+    /// Where the drawing lies.
+    pub(crate) fn placement(&self) -> Option<Placement> {
+        self.placement
+    }
+
+    /// Lays the drawing of a view beside that of another canvas, and looks through its camera.
+    pub(crate) fn follow(&mut self, other: &Self, placement: Placement, view: View, size: Vec2) {
+        self.placement = Some(placement);
+        self.fitted = Some((view, size, Maker::Run));
+        self.moved = true;
+        self.outside.follow(&other.outside);
+    }
+
+    /// Takes over where the user moved the drawing on another canvas.
+    pub(crate) fn moved_to(&mut self, placement: Placement) {
+        self.placement = Some(placement);
+        self.moved = true;
+    }
+
     /// Whether a handle is being dragged.
     pub(crate) fn dragging(&self) -> bool {
         self.dragging
@@ -130,11 +166,17 @@ impl Canvas {
         let camera =
             drawing.vantage.map(|first| self.outside.camera(first, open.view.outside, self.dragging));
         let solid = if camera.is_some() { open.lab.solid_handles(open.document) } else { Vec::new() };
-        let handles = match camera {
+        let mut handles = match camera {
             Some(camera) => outside::project(&solid, &camera),
             None if overview => Vec::new(),
             None => open.lab.handles(open.document),
         };
+        if drawing.compared.is_some_and(|compared| compared.side == Side::B) {
+            // Every handle is there twice.
+            for handle in &mut handles {
+                handle.name = face.say_with("ui-split-handle", "name", Value::text(&handle.name));
+            }
+        }
         self.place(drawing, rect.size(), &handles);
         let background = ui.interact(rect, ui.scope_id().with("canvas"), Sense::click_and_drag());
         background.widget_info(|| WidgetInfo::labeled(Part::Canvas, true, face.say("ui-canvas")));
@@ -268,6 +310,20 @@ impl Canvas {
                 view.tab = Tab::Pixel;
             }
         }
+        if let (Some(compared), Some(at)) =
+            (drawing.compared, ground.interact_pointer_pos().filter(|_| ground.clicked()))
+        {
+            let plane = Plane { rect, placement: *placement, y_up: drawing.view.y_up };
+            let clicked = if has_pixels(drawing) {
+                pixel_at(&plane, at).map(|pixel| Fact::pixel(pixel, Vec::new()))
+            } else {
+                let distance = |fact: &Fact| fact.at.map(|place| plane.place(place).distance(at));
+                let points = compared.facts.iter().filter_map(|fact| Some((distance(fact)?, fact)));
+                let nearest = points.min_by(|a, b| a.0.total_cmp(&b.0));
+                nearest.filter(|(distance, _)| *distance <= NEAR).map(|(_, fact)| fact.clone())
+            };
+            view.part = clicked.or_else(|| view.part.take());
+        }
     }
 
     fn figure(
@@ -279,7 +335,8 @@ impl Canvas {
         face: &Face<'_>,
     ) -> &Figure {
         let theme = face.look.theme;
-        let key = (drawing.rev, placement, camera, size, theme.name, self.dragging);
+        let chosen = drawing.compared.and_then(|compared| compared.chosen);
+        let key = (drawing.rev, placement, camera, size, theme.name, self.dragging, chosen.cloned());
         if self.figure.as_ref().is_none_or(|(old, ..)| *old != key) {
             self.drawn += 1;
             let view = View { grid: grid(drawing, placement), ..*drawing.view };
@@ -287,7 +344,14 @@ impl Canvas {
             let held = self.figure.take().filter(|_| self.dragging).map(|(_, _, places)| places);
             let (size, words) = ([size.x, size.y], (theme, face.words));
             let marks = space::seen(drawing.marks, drawing.vantage, camera.as_ref());
-            let (figure, places) = layout::draw_held(&marks, &view, &placement, size, words, held.as_ref());
+            let (mut figure, places) =
+                layout::draw_held(&marks, &view, &placement, size, words, held.as_ref());
+            if let Some(Compared { side, difference: Some(difference), .. }) = drawing.compared {
+                split::outline(&mut figure, difference, side, &placement, theme);
+            }
+            if let Some(chosen) = chosen {
+                split::choose(&mut figure, chosen, &placement, theme);
+            }
             self.figure = Some((key, figure, places));
         }
         &self.figure.as_ref().expect("made above").1
@@ -295,7 +359,7 @@ impl Canvas {
 }
 
 /// Whether the drawing is of pixels.
-fn has_pixels(drawing: Drawing<'_>) -> bool {
+pub(super) fn has_pixels(drawing: Drawing<'_>) -> bool {
     drawing.view.grid == Grid::Pixels || drawing.rev.0 == Maker::Image
 }
 
@@ -305,73 +369,7 @@ fn grid(drawing: Drawing<'_>, placement: Placement) -> Grid {
     if large && placement.scale >= 5.0 { Grid::Pixels } else { drawing.view.grid }
 }
 
-fn pixel_at(plane: &Plane, at: Pos2) -> Option<[u32; 2]> {
+pub(super) fn pixel_at(plane: &Plane, at: Pos2) -> Option<[u32; 2]> {
     let [x, y] = plane.point(at);
     (x >= 0.0 && y >= 0.0).then_some([x as u32, y as u32])
-}
-
-/// What lies under the pointer, at the foot of the canvas; returns the pixel there.
-fn readout(
-    ui: &Ui,
-    face: &Face<'_>,
-    plane: &Plane,
-    ground: &Response,
-    drawing: Drawing<'_>,
-    known: Option<&Hover>,
-) -> Option<[u32; 2]> {
-    if drawing.rev.0 == Maker::Space || drawing.vantage.is_some() {
-        foot(ui, face, plane.rect, &face.say("ui-readout-space"), false);
-        return None;
-    }
-    let hover = ui.ctx().pointer_hover_pos();
-    let at = hover.filter(|at| plane.rect.contains(*at) && ground.contains_pointer())?;
-    if !has_pixels(drawing) {
-        if drawing.view.grid == Grid::Units {
-            let at = plane.point(at).map(|c| (c * 100.0).round() / 100.0);
-            let text = face.words.message(&Message::new("ui-readout-point").with("at", at));
-            foot(ui, face, plane.rect, &text, false);
-        }
-        return None;
-    }
-    let pixel = pixel_at(plane, at)?;
-    let [x, y] = pixel;
-    let centre = [x as f32 + 0.5, y as f32 + 0.5];
-    let place = Message::new("ui-readout-pixel").with("x", x).with("y", y).with("centre", centre);
-    let mut line = face.words.message(&place);
-    if let Some(known) = known.filter(|known| known.pixel == pixel) {
-        line = format!("{line}  {}", known.text);
-    } else if let Some(value) = value_at(drawing.marks, pixel) {
-        line = format!("{line}  {}", face.say_with("ui-readout-value", "value", value));
-    }
-    let legend = drawing.marks.iter().any(|mark| matches!(mark, Mark::Key { .. }));
-    foot(ui, face, plane.rect, &line, legend);
-    Some(pixel)
-}
-
-/// The value that a drawing has at a pixel.
-fn value_at(marks: &[Mark], pixel: [u32; 2]) -> Option<Value> {
-    let here = |mark: &Mark| match mark {
-        Mark::Pixel { at, value, .. } if at.map(i64::from) == pixel.map(i64::from) => Some(value.clone()),
-        _ => None,
-    };
-    marks.iter().rev().find_map(here).filter(|value| *value != Value::None)
-}
-
-/// One line at the foot of the canvas; it takes the whole width where a legend has its place.
-fn foot(ui: &Ui, face: &Face<'_>, rect: Rect, message: &str, whole: bool) {
-    let room = rect.width() - 28.0;
-    let measure = |text| {
-        let font = face.look.font(text);
-        (ui.painter().layout_no_wrap(message.to_owned(), font.clone(), face.look.dim).size(), font)
-    };
-    let (size, font) = Some(measure(Text::Listing))
-        .filter(|(size, _)| size.x <= room)
-        .unwrap_or_else(|| measure(Text::SmallMono));
-    let right = if whole { rect.right() } else { rect.left() + size.x.min(room) + 28.0 };
-    let plate = Rect::from_min_max(
-        pos2(rect.left(), rect.bottom() - size.y - 14.0),
-        pos2(right, rect.bottom() - if whole { 0.0 } else { 4.0 }),
-    );
-    ui.painter().rect_filled(plate, 0, face.look.canvas);
-    text_in(ui.painter(), plate.shrink2(vec2(14.0, 0.0)), Align2::LEFT_CENTER, message, font, face.look.dim);
 }

@@ -37,6 +37,7 @@ pub(crate) fn all() -> Vec<Shortcut> {
         (ctrl(Key::Equals), Command::Bigger, "ui-key-bigger"),
         (ctrl(Key::Minus), Command::Smaller, "ui-key-smaller"),
         (ctrl(Key::Num0), Command::TextSize(1.0), "ui-key-normal"),
+        (key(Key::C), Command::AskCompare, "ui-compare"),
         (ctrl(Key::PageDown), Command::Beside(1), "ui-key-next-algorithm"),
         (ctrl(Key::PageUp), Command::Beside(-1), "ui-key-last-algorithm"),
         (key(Key::F), Command::Fit, "ui-key-fit"),

@@ -122,6 +122,9 @@ fn file(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
 
 fn view(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
     menu(ui, face, "ui-menu-view", |ui| {
+        item(ui, face, "ui-compare", "C", true, Command::AskCompare);
+        item(ui, face, "ui-split-leave", "Esc", frame.compare.is_some(), Command::Compare(None));
+        ui.separator();
         ui.label(face.dim(face.say("ui-view-theme"), Text::LabelStrong));
         for theme in ThemeName::ALL {
             let chosen = theme == frame.theme;
@@ -155,8 +158,9 @@ pub(crate) fn theme_message(theme: ThemeName) -> &'static str {
 /// The words at the right; returns where they begin.
 fn buttons(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, bar: Rect) -> f32 {
     let mut x = bar.right();
-    let mut all = vec![("ui-menu-theme", Command::NextTheme)];
-    if frame.narrow {
+    let split = if frame.compare.is_some() { "ui-split-leave" } else { "ui-split-view" };
+    let mut all = vec![("ui-menu-theme", Command::NextTheme), (split, Command::Split)];
+    if frame.folded {
         all.push(("ui-menu-choices", Command::Choices));
     }
     for (name, command) in all {

@@ -14,11 +14,15 @@ pub(crate) mod menu;
 pub(crate) mod notice;
 mod outside;
 pub(crate) mod palette;
+mod readout;
 pub(crate) mod ribbon;
+pub(crate) mod split;
 pub(crate) mod timeline;
 
 use crate::{aids::Aids, presets::PresetInfo};
+use rasterscope_core::compare::Setting;
 use rasterscope_figure::theme::ThemeName;
+use split::Sides;
 
 /// Windows narrower than this fold: choices into a drawer, the ribbon into a path.
 pub(crate) const NARROW: f32 = 1150.0;
@@ -36,7 +40,12 @@ pub(crate) struct Frame<'a> {
     pub(crate) aids: Aids,
     pub(crate) can_undo: bool,
     pub(crate) can_redo: bool,
-    pub(crate) narrow: bool,
+    /// Whether the choices are folded into a drawer.
+    pub(crate) folded: bool,
+    /// The two sides, where two are shown.
+    pub(crate) compare: Option<Sides>,
+    /// What the open lab can be compared with, while somebody asks.
+    pub(crate) settings: Vec<Setting>,
     /// What is open.
     pub(crate) title: String,
     /// On what.

@@ -61,6 +61,11 @@ impl Outside {
         })
     }
 
+    /// Looks from where another canvas does until the user turns the camera.
+    pub(super) fn follow(&mut self, other: &Self) {
+        self.first = other.first;
+    }
+
     /// No handle is dragged in this frame.
     pub(super) fn released(&mut self) {
         self.depth = None;

@@ -55,10 +55,28 @@ fn all(ui: &Ui, face: &Face<'_>, frame: &Frame<'_>) -> Vec<Entry> {
     for lab in labs::ALL {
         add(of("ui-palette-lab", face.words.word(lab.name)), Command::Lab(lab.name));
     }
+    for entry in comparable(face, frame) {
+        let command = matches!(entry.command, Command::Compare(Some(_))).then_some(entry.command);
+        command.map(|command| add(of("ui-palette-compare", entry.name), command));
+    }
     for preset in frame.presets {
         add(of("ui-palette-preset", preset.title.clone()), Command::Preset(preset.name));
     }
     out
+}
+
+/// What the open lab can be compared with; first how to leave the comparison, if there is one.
+fn comparable(face: &Face<'_>, frame: &Frame<'_>) -> Vec<Entry> {
+    let entry = |name, key: &str, command| Entry { name, key: key.to_owned(), command };
+    let leave =
+        frame.compare.is_some().then(|| entry(face.say("ui-split-leave"), "Esc", Command::Compare(None)));
+    let settings = frame.settings.iter().map(|setting| {
+        let message = Message::new("ui-compare-setting")
+            .with("setting", Value::Word(setting.word()))
+            .with("value", setting.value());
+        entry(face.words.message(&message), "", Command::Compare(Some(*setting)))
+    });
+    leave.into_iter().chain(settings).collect()
 }
 
 /// Whether every word typed is in the name.
@@ -69,8 +87,9 @@ fn fits(name: &str, typed: &str) -> bool {
 
 /// Shows the palette.
 pub(crate) fn show(ui: &Ui, face: &Face<'_>, frame: &Frame<'_>, palette: &mut Palette) {
-    let entries: Vec<Entry> =
-        all(ui, face, frame).into_iter().filter(|entry| fits(&entry.name, &palette.typed)).collect();
+    let entries = if palette.compare { comparable(face, frame) } else { all(ui, face, frame) };
+    let nothing = palette.compare && entries.is_empty();
+    let entries: Vec<Entry> = entries.into_iter().filter(|entry| fits(&entry.name, &palette.typed)).collect();
     let (down, up, enter, escape) = ui.input_mut(|input| {
         let mut pressed = |key| input.count_and_consume_key(Modifiers::NONE, key);
         (pressed(Key::ArrowDown), pressed(Key::ArrowUp), pressed(Key::Enter), pressed(Key::Escape))
@@ -83,7 +102,8 @@ pub(crate) fn show(ui: &Ui, face: &Face<'_>, frame: &Frame<'_>, palette: &mut Pa
         close = true;
     }
     let content = ui.ctx().content_rect();
-    let area = Window::new(face.say("ui-palette"))
+    let title = face.say(if palette.compare { "ui-compare" } else { "ui-palette" });
+    let area = Window::new(&title)
         .title_bar(false)
         .resizable(false)
         .pivot(Align2::CENTER_TOP)
@@ -92,10 +112,10 @@ pub(crate) fn show(ui: &Ui, face: &Face<'_>, frame: &Frame<'_>, palette: &mut Pa
         ui.set_width(WIDTH);
         let typed = palette.typed.clone();
         let field = TextEdit::singleline(&mut palette.typed)
-            .hint_text(face.say("ui-palette-hint"))
+            .hint_text(face.say(if palette.compare { "ui-compare-hint" } else { "ui-palette-hint" }))
             .desired_width(f32::INFINITY);
         let field = ui.add(field);
-        field.clone().accessible_name(face.say("ui-palette"));
+        field.clone().accessible_name(&title);
         if !std::mem::replace(&mut palette.shown, true) || !field.has_focus() {
             field.request_focus();
         }
@@ -118,12 +138,14 @@ pub(crate) fn show(ui: &Ui, face: &Face<'_>, frame: &Frame<'_>, palette: &mut Pa
                 }
             }
             if entries.is_empty() {
-                ui.label(face.dim(face.say("ui-palette-none"), Text::Label));
+                let why = if nothing { "ui-compare-nothing" } else { "ui-palette-none" };
+                ui.label(face.dim(face.say(why), Text::Label));
             }
         });
     });
     if close {
-        face.ask(Command::Palette);
+        // Before what was chosen, which may open it again.
+        face.commands.borrow_mut().insert(0, Command::Palette);
     }
 }
 

@@ -19,8 +19,8 @@ pub(crate) struct Chip {
     pub(crate) count: Option<String>,
     /// What is counted.
     pub(crate) unit: String,
-    /// What was skipped and why.
-    pub(crate) skipped: Option<String>,
+    /// What was skipped and why, the most frequent reason first.
+    pub(crate) skipped: Vec<String>,
     /// What comes out, as a picture of 36 by 24 points.
     pub(crate) thumbnail: Option<Figure>,
 }
@@ -74,7 +74,7 @@ pub(crate) fn show(
         match shape {
             Shape::Tall => {
                 tall(ui, face, textures, at, chip, chosen);
-                let free = |neighbour: Option<&Chip>| neighbour.is_some_and(|chip| chip.skipped.is_none());
+                let free = |neighbour: Option<&Chip>| neighbour.is_some_and(|chip| chip.skipped.is_empty());
                 let neighbours = [free(i.checked_sub(1).map(|left| &chips[left])), free(chips.get(i + 1))];
                 skipped(ui, face, at, chip, neighbours);
             }
@@ -99,8 +99,8 @@ fn press(ui: &Ui, face: &Face<'_>, at: Rect, chip: &Chip) -> Response {
     }
     let meaning = face.words.meaning(chip.stage.word()).unwrap_or_default();
     let mut all = format!("{meaning}\n{}", line(face, chip));
-    if let Some(skipped) = &chip.skipped {
-        all = format!("{all}\n{skipped}");
+    if !chip.skipped.is_empty() {
+        all = format!("{all}\n{}", chip.skipped.join(", "));
     }
     response.on_hover_text(all)
 }
@@ -147,11 +147,17 @@ fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip
 
 /// What was skipped, at the foot; it may use the place of a neighbour that has nothing to say.
 fn skipped(ui: &Ui, face: &Face<'_>, at: Rect, chip: &Chip, [left_free, right_free]: [bool; 2]) {
-    let Some(text) = &chip.skipped else { return };
+    let Some(most) = chip.skipped.first() else { return };
     let (painter, color) = (ui.painter(), face.look.role(Role::Rejected));
-    let galley = painter.layout_no_wrap(text.clone(), face.look.font(Text::Small), color);
-    let width = galley.size().x + 14.0;
+    let measure = |text: &String| {
+        painter.layout_no_wrap(text.clone(), face.look.font(Text::Small), color).size().x + 14.0
+    };
     let (left, right) = (at.left() + 9.0, at.right() - 2.0);
+    // All reasons if there is room for them, else the most frequent one.
+    let all = chip.skipped.join(", ");
+    let widest = if right_free { at.right() + 60.0 - left } else { right - left };
+    let text = if measure(&all) <= widest { &all } else { most };
+    let width = measure(text);
     let start = if width <= right - left || right_free || !left_free { left } else { right - width };
     let y = at.top() + 67.0;
     paint::marker(painter, pos2(start + 5.0, y), Role::Rejected, 8.0, face.look);

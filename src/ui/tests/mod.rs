@@ -11,6 +11,7 @@ mod painter;
 mod pictures;
 mod reach;
 mod source;
+mod split;
 
 use crate::{App, Platform, Purpose, Reader, theme};
 use egui::{Rect, vec2};

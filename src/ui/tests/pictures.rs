@@ -71,3 +71,21 @@ fn narrow_window_on_a_projector() {
     wear(&mut window, ThemeName::Projector);
     picture(&mut window, "narrow-projector");
 }
+
+#[test]
+fn split_view_in_every_theme() {
+    let mut window = window(1280.0, 720.0);
+    window.state_mut().app_mut().open_preset("two-sides-tie");
+    for theme in ThemeName::ALL {
+        wear(&mut window, theme);
+        picture(&mut window, &format!("split-{}", theme.name()));
+    }
+}
+
+#[test]
+fn narrow_split_view_of_two_algorithms() {
+    let mut window = window(1024.0, 768.0);
+    window.state_mut().app_mut().open_preset("two-sides-corner");
+    wear(&mut window, ThemeName::Light);
+    picture(&mut window, "split-narrow-light");
+}

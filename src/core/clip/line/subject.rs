@@ -74,7 +74,7 @@ impl Subject {
             for (end, at) in End::ALL.into_iter().zip(ends) {
                 if self.accepted == Some(false) || self.ends[end as usize] != at {
                     let label = (at != self.original[end as usize])
-                        .then(|| Label::new(["P1 exact", "P2 exact"][end as usize], at));
+                        .then(|| Label::new(["P1*", "P2*"][end as usize], at));
                     out.push(Mark::Point { at, role: Role::Exact, label });
                 }
             }
@@ -204,7 +204,7 @@ pub(super) fn view(points: impl IntoIterator<Item = Point>) -> View {
     }
     for axis in 0..2 {
         // Room for what stands in the outer regions; capped so that huge inputs stay finite.
-        let margin = ((max[axis] / 2.0 - min[axis] / 2.0) * 0.25).max(0.5);
+        let margin = ((max[axis] / 2.0 - min[axis] / 2.0) * 0.4).max(0.5);
         min[axis] = (min[axis] - margin).max(f32::MIN / 4.0);
         max[axis] = (max[axis] + margin).min(f32::MAX / 4.0);
     }

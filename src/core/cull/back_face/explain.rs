@@ -4,7 +4,7 @@ use super::{Degeneracy, Event, Input, Numbers, Outcome, Test, Why, formulas, pic
 use crate::{
     compare::Fact,
     cull::Facing,
-    explain::{Explain, Formula, Level, Mark, Marker, Operations, Role, Row, Table, View},
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, Role, Row, Table, Vantage, View},
     message::{Message, Value},
     replay::State,
 };
@@ -119,18 +119,18 @@ impl Explain for Snapshot {
     const LISTING: &'static [&'static str] = &[
         "camera: n ← (p1 − p0) × (p2 − p0)",
         "  s ← (e − p0) · n",
-        "object: e ← W⁻¹ e; n ← (p1 − p0) × (p2 − p0)",
+        "object: e ← W⁻¹ e; n as before",
         "  s ← (e − p0) · n",
-        "world: A, B, C, D ← plane of p0, p1, p2",
+        "world: A, B, C, D ← plane of p0 p1 p2",
         "  s ← A ex + B ey + C ez + D",
         "NDC: s ← z of (p1 − p0) × (p2 − p0)",
-        "screen: a, b, c ← xi yj − xj yi of each edge",
-        "  s ← ½ (a + b + c), turned if y is down",
-        "clip: r ← the rows (x, y, w); m ← r1 × r2",
+        "screen: a, b, c ← xi yj − xj yi",
+        "  s ← ± ½ (a + b + c), − if y is down",
+        "clip: r ← rows (x, y, w); m ← r1 × r2",
         "  s ← r0 · m",
-        "each: s > 0 front, s < 0 back, s = 0 edge-on",
-        "det = 0: coincident, collinear, flat, edge-on?",
-        "each: does it say what the determinant says?",
+        "each: s > 0 front, s < 0 back, 0 rule",
+        "det = 0: name the reason",
+        "each: same as the determinant?",
         "cull by the determinant",
     ];
 
@@ -281,6 +281,7 @@ impl Explain for Snapshot {
         let columns = vec!["s", "column-back-face-answer", "column-back-face-against-determinant"];
         out.push(Table { title: "back-face-tests", columns, rows: rows.to_vec() });
         out.push(self.vertices(self.now.unwrap_or(Test::Determinant)));
+        out.extend(self.object());
         out.push(self.conventions());
     }
 
@@ -289,7 +290,11 @@ impl Explain for Snapshot {
     }
 
     fn view(&self) -> View {
-        picture::view(self)
+        View::SPACE
+    }
+
+    fn vantage(&self) -> Option<Vantage> {
+        Some(picture::vantage(self))
     }
 
     fn facts(&self, out: &mut Vec<Fact>) {
@@ -359,6 +364,22 @@ impl Snapshot {
         };
         rows.extend(eye.map(|[x, y, z, _]| Row::new("e", of(&[x, y, z]))));
         Table { title, columns, rows }
+    }
+
+    /// How the triangles of the whole object stand to the eye, if it has several.
+    fn object(&self) -> Option<Table> {
+        let object = &self.input.object;
+        let count = |facing: Facing| object.iter().filter(|(_, of)| *of == facing).count();
+        let row = |name, facing| Row::new(name, vec![count(facing).into()]);
+        (object.len() > 1).then(|| Table {
+            title: "back-face-object",
+            columns: vec!["column-back-face-triangles"],
+            rows: vec![
+                row("row-back-face-of-front", Facing::Front),
+                row("row-back-face-of-back", Facing::Back),
+                row("row-back-face-of-none", Facing::Degenerate),
+            ],
+        })
     }
 
     fn conventions(&self) -> Table {

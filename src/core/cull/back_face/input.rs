@@ -2,8 +2,9 @@
 
 use super::{
     super::{
+        Facing,
         camera_normal::{self, EYE_AT_ORIGIN, EYE_FAR_ALONG_Z},
-        ndc_normal,
+        facing, ndc_normal,
         number::Number,
         object_eye::{eye_in_object_space, mirrors},
         plane_equation, screen_area, xyw_determinant,
@@ -20,6 +21,7 @@ use crate::{
     },
 };
 use serde::Serialize;
+use std::sync::Arc;
 
 /// The six tests, in the order of the pipeline; the one that decides is last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -223,23 +225,36 @@ pub struct Input {
     pub chain: Chain,
     /// The conventions.
     pub settings: Settings,
+    /// Which draw it is of, for its fill.
+    pub draw: usize,
+    /// All triangles of the draw in world space and how they stand to the eye; empty if it stands alone.
+    pub object: Arc<[([[f32; 3]; 3], Facing)]>,
 }
 
 impl Input {
     /// A triangle of object space.
     pub fn new(object: [[f32; 3]; 3], chain: Chain, eye: [f32; 4], settings: Settings) -> Self {
-        Self { spaces: Spaces::new(object, &chain, eye), chain, settings }
+        Self { spaces: Spaces::new(object, &chain, eye), chain, settings, draw: 0, object: Arc::new([]) }
     }
 
     /// Triangle `triangle` of draw `draw` of a resolved scene, if there is one; facing and cull mode are
     /// the draw's.
     pub fn of(scene: &Scene, draw: usize, triangle: usize, settings: Settings) -> Option<Self> {
-        let draw = scene.draws.get(draw)?;
-        let mesh = draw.geometry.mesh()?;
+        let of = scene.draws.get(draw)?;
+        let mesh = of.geometry.mesh()?;
         let object = mesh.triangles.get(triangle)?.map(|i| mesh.positions[i as usize]);
-        let chain = Chain::of(scene, draw);
-        let settings = Settings { front: draw.front, cull: draw.cull, ..settings };
-        Some(Self::new(object, chain, eye(scene, &chain.view), settings))
+        let chain = Chain::of(scene, of);
+        let settings = Settings { front: of.front, cull: of.cull, ..settings };
+        let paths = chain::run(&mesh.positions, &chain);
+        let mut tally = Tally::default();
+        let facings = mesh.triangles.iter().filter(|_| mesh.positions.len() == paths.len()).map(|triangle| {
+            let at = |space: Space| triangle.map(|i| paths[i as usize][space as usize]);
+            let facing = facing(at(Space::Clip), of.front, &mut tally);
+            (at(Space::World).map(|[x, y, z, _]| [x, y, z]), facing)
+        });
+        let facings = facings.collect();
+        let input = Self::new(object, chain, eye(scene, &chain.view), settings);
+        Some(Self { draw, object: facings, ..input })
     }
 }
 

@@ -74,6 +74,7 @@ impl CompareWire {
     }
 }
 
+/// Choices of the lab's own inputs are written by the lab: here they have no field.
 impl From<Setting> for CompareWire {
     fn from(setting: Setting) -> Self {
         let none = Self::default();
@@ -88,6 +89,7 @@ impl From<Setting> for CompareWire {
             Setting::Reversed(reversed) => Self { reversed: Some(reversed), ..none },
             Setting::Cull(cull) => Self { cull: Some(cull), ..none },
             Setting::Front(front) => Self { front: Some(front), ..none },
+            Setting::Choice(_) => none,
         }
     }
 }

@@ -10,7 +10,10 @@ use super::{
     },
     compare::CompareWire,
 };
-use crate::labs::{self, LabInput};
+use crate::{
+    compare::{Choice, Setting},
+    labs::{self, LabInput},
+};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 
@@ -39,12 +42,12 @@ impl Serialize for LabWire {
             #[serde(skip_serializing_if = "Option::is_none")]
             step: Option<usize>,
             #[serde(skip_serializing_if = "Option::is_none")]
-            compare: Option<CompareWire>,
+            compare: Option<Value>,
         }
         match self {
             Self::Read(value) => value.serialize(serializer),
             Self::Write(Lab { input, step, compare }) => {
-                let compare = compare.map(CompareWire::from);
+                let compare = compare.map(wire);
                 Fields { name: input.name(), input, step: *step, compare }.serialize(serializer)
             }
         }
@@ -76,10 +79,37 @@ impl LabWire {
         }
         let step = step.map(|step| read(&step)).transpose().map_err(|e: FieldError| e.within("step"))?;
         let input = lab.read(&Value::Object(fields)).map_err(|e| e.with_known(&COMMON))?;
-        let setting = |compare| read::<CompareWire>(&compare)?.into_setting(&input);
+        let setting = |compare: Value| match choice(&compare, &input)? {
+            Some(choice) => Ok(Setting::Choice(choice)),
+            None => read::<CompareWire>(&compare)?.into_setting(&input),
+        };
         let compare = compare.map(setting).transpose().map_err(|e: FieldError| e.within("compare"))?;
         Ok(Lab { step, input, compare })
     }
+}
+
+/// A setting as the file has it: an object with one field.
+fn wire(setting: Setting) -> Value {
+    match setting {
+        Setting::Choice(choice) => {
+            Value::Object([(choice.field.to_owned(), choice.value())].into_iter().collect())
+        }
+        // A struct of names has no way to fail.
+        other => serde_json::to_value(CompareWire::from(other)).unwrap_or(Value::Null),
+    }
+}
+
+/// The choice of the lab's own inputs that stands there, if it is one.
+fn choice(compare: &Value, input: &LabInput) -> Result<Option<Choice>, FieldError> {
+    let fields: Vec<_> = compare.as_object().into_iter().flatten().collect();
+    let [(field, value)] = fields[..] else { return Ok(None) };
+    let all: Vec<_> = input.choices().into_iter().filter(|choice| choice.field == *field).collect();
+    let Some(first) = all.first() else { return Ok(None) };
+    let found = all.iter().find(|choice| choice.value() == *value);
+    found.copied().map(Some).ok_or_else(|| {
+        let known = all.iter().map(|choice| choice.json.trim_matches('"')).collect();
+        FieldError::at(first.field, Problem::UnknownName { name: shortened(&value.to_string()), known })
+    })
 }
 
 impl From<&Lab> for LabWire {

@@ -1,5 +1,6 @@
 //! The inspector: what just happened, the pseudocode, every value, the chosen pixel.
 
+mod difference;
 mod exact;
 mod listing;
 mod pixel;
@@ -11,11 +12,12 @@ use crate::{
     face::{Command, Face},
     overview::History,
     run::Shown,
-    shell::Frame,
+    shell::{Frame, split::chooser},
     theme::Text,
     widgets::{focus_ring, follow_focus, rule},
 };
 use egui::{Align2, Rect, Role as Part, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
+use rasterscope_core::compare::{Pair, Side};
 use rasterscope_figure::{
     numbers,
     tables::{self, Run as Piece, TextTable},
@@ -88,6 +90,9 @@ pub(crate) fn csv(tables: &[TextTable]) -> String {
 pub(crate) struct Whole<'a> {
     pub(crate) history: Option<&'a History>,
     pub(crate) stages: Option<&'a TextTable>,
+    /// Both runs, where there are two, and the side that is explained.
+    pub(crate) pair: Option<&'a Pair>,
+    pub(crate) side: Side,
 }
 
 /// Shows the inspector.
@@ -107,7 +112,17 @@ pub(crate) fn show(
         view.tab = Tab::Step;
     }
     let head = rect.with_max_y(rect.top() + height);
-    tabs(ui, face, head, view, pixels);
+    let split = frame.compare.as_ref();
+    if split.is_some() && !SPLIT_TABS.iter().any(|(tab, _)| *tab == view.tab) {
+        view.tab = Tab::Difference;
+    }
+    tabs(
+        ui,
+        face,
+        head,
+        view,
+        if split.is_some() { &SPLIT_TABS } else { &TABS[..if pixels { 4 } else { 3 }] },
+    );
     rule(ui, head, face.look);
     let body = UiBuilder::new().max_rect(rect.with_min_y(head.bottom() + 1.0));
     ui.scope_builder(body, |ui| {
@@ -115,7 +130,14 @@ pub(crate) fn show(
         ui.style_mut().interaction.selectable_labels = true;
         ScrollArea::vertical().id_salt(view.tab as usize).auto_shrink(false).show(ui, |ui| {
             ui.set_width(ui.available_width());
+            if let Some(sides) = split.filter(|_| view.tab != Tab::Difference && whole.pair.is_some()) {
+                chooser(ui, face, sides, whole.side);
+            }
             match (view.tab, shown, digest) {
+                (Tab::Difference, ..) => match (split, whole.pair) {
+                    (Some(sides), Some(pair)) => difference::show(ui, face, sides, pair, view),
+                    _ => empty(ui, face, frame, None),
+                },
                 (Tab::Pixel, ..) => pixel::show(ui, face, whole.history),
                 (_, None, _) | (_, _, None) => empty(ui, face, frame, whole.stages),
                 (Tab::Step, Some(shown), Some(digest)) => step::show(ui, face, shown, digest),
@@ -140,15 +162,19 @@ pub(crate) fn show(
     });
 }
 
-fn tabs(ui: &mut Ui, face: &Face<'_>, rect: Rect, view: &mut ViewState, pixels: bool) {
-    let all = [
-        (Tab::Step, "ui-tab-step"),
-        (Tab::Listing, "ui-tab-listing"),
-        (Tab::Values, "ui-tab-values"),
-        (Tab::Pixel, "ui-tab-pixel"),
-    ];
-    // Only the whole scene has a history of its pixels.
-    let all = &all[..if pixels { 4 } else { 3 }];
+/// The tabs; only the whole scene has the last, the history of its pixels.
+const TABS: [(Tab, &str); 4] = [
+    (Tab::Step, "ui-tab-step"),
+    (Tab::Listing, "ui-tab-listing"),
+    (Tab::Values, "ui-tab-values"),
+    (Tab::Pixel, "ui-tab-pixel"),
+];
+
+/// The tabs where two sides are shown: the step has the listing too.
+const SPLIT_TABS: [(Tab, &str); 3] =
+    [(Tab::Difference, "ui-tab-difference"), (Tab::Step, "ui-tab-step"), (Tab::Values, "ui-tab-values")];
+
+fn tabs(ui: &mut Ui, face: &Face<'_>, rect: Rect, view: &mut ViewState, all: &[(Tab, &'static str)]) {
     let width = rect.width() / all.len() as f32;
     for (i, &(tab, id)) in all.iter().enumerate() {
         let at = Rect::from_min_size(rect.min + vec2(i as f32 * width, 0.0), vec2(width, rect.height()));

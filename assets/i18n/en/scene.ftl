@@ -186,7 +186,7 @@ preset-line-or-for-and-name = Mistake: OR instead of AND
 preset-line-or-for-and = The line crosses the window, but its codes are joined by OR. So it is rejected.
 
 preset-line-crack-name = Mistake: a crack
-preset-line-crack = So far from the origin f32 has only whole numbers. Two neighbours that share this edge cut it from different ends and do not meet.
+preset-line-crack = So far from the origin f32 has only sixteenths. Two neighbours that share this edge cut it from different ends and do not meet.
 
 preset-order-kept-name = Four crossings, kept
 preset-order-kept = All four crossings lie between the ends, in the order 1 > α4 > α3 > α2 > α1 > 0. The two inner ones cut.

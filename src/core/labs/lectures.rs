@@ -38,7 +38,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
         "transform",
         &[at(TUZLA, "Transformacija"), at(ITALIAN, "Pipeline geometrica"), at(SLOVENE, "Koordinate zaslona")],
     ),
-    ("point-clip", &[at(ITALIAN, "Clipping di un punto")]),
+    ("point-clipping", &[at(ITALIAN, "Clipping di un punto")]),
     (
         "cohen-sutherland",
         &[

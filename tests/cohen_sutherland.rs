@@ -1,26 +1,20 @@
 //! Cohen-Sutherland: laws, golden logs, and an exact oracle that knows no outcodes.
 
 use crate::support::{
-    Coverage, LINE_WINDOW, Random, check_golden, check_laws, line, log_text, visible_part, window,
+    CohenSutherland, Random, check_log, costs_what_it_says, keeps_the_laws, line, rounding_fails, window,
 };
 use rasterscope_core::{
     clip::line::{
-        Kept, Segment, Window,
-        cohen_sutherland::{self as cs, Event, Snapshot},
+        Kept, Mistake, Mistakes, Segment,
+        cohen_sutherland::{self as cs, Settings},
     },
-    math::{Arithmetic, Tally},
+    math::{Arithmetic, Tally, ulps_between},
+    trace::NoTrace,
 };
-
-fn run(segment: Segment, window: &Window, arithmetic: Arithmetic) -> (Option<Segment>, Vec<Event>) {
-    let mut events = Vec::new();
-    let result = cs::clip_traced(segment, window, arithmetic, &mut Tally::default(), &mut events);
-    (result, events)
-}
 
 #[track_caller]
 fn check(name: &str, segment: Segment) {
-    let (_, events) = run(segment, &window(LINE_WINDOW), Arithmetic::Exact);
-    check_golden(&format!("cohen_sutherland/{name}"), &log_text(&events));
+    check_log::<CohenSutherland>(name, segment);
 }
 
 #[test]
@@ -78,38 +72,13 @@ fn failures_of_others_are_right_here() {
 }
 
 #[test]
-fn agrees_with_the_rational_oracle_and_keeps_the_laws() {
-    let mut random = Random::new(1);
-    let (mut coverage, mut visible) = (Coverage::default(), 0);
-    for round in 0..60_000 {
-        let (segment, window) = line(&mut random);
-        let fast = cs::clip(segment, &window);
-        assert_eq!(fast, visible_part(segment, &window).map(|(ends, _)| ends), "{segment:?} in {window:?}");
-        visible += u32::from(fast.is_some());
-        if round % 20 != 0 {
-            continue;
-        }
-        for arithmetic in [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64] {
-            let untraced = cs::clip_traced(
-                segment,
-                &window,
-                arithmetic,
-                &mut Tally::default(),
-                &mut rasterscope_core::trace::NoTrace,
-            );
-            let (traced, events) = run(segment, &window, arithmetic);
-            let bits = |s: Option<Segment>| s.map(|s| s.map(|p| p.map(f32::to_bits)));
-            check_laws(
-                (&bits(untraced), &bits(traced)),
-                &events,
-                |budget| cs::play(segment, window, arithmetic, budget),
-                |state: &Snapshot| bits(state.result()),
-                &mut coverage,
-            );
-        }
-    }
-    coverage.check_every_line::<Snapshot>();
-    assert!((5_000..55_000).contains(&visible), "the families are lopsided: {visible} visible");
+fn keeps_the_laws_in_every_arithmetic() {
+    keeps_the_laws::<CohenSutherland>(1, 3_000);
+}
+
+#[test]
+fn events_cost_what_the_taught_form_costs() {
+    costs_what_it_says::<CohenSutherland>(6);
 }
 
 #[test]
@@ -130,14 +99,42 @@ fn many_at_once_are_the_same_as_one_by_one() {
 
 #[test]
 fn rounded_arithmetic_fails_where_exact_does_not() {
-    let mut random = Random::new(2);
-    let mut wrong = [0, 0];
-    for _ in 0..20_000 {
-        let (segment, window) = line(&mut random);
-        let exact = cs::clip(segment, &window);
-        for (count, arithmetic) in wrong.iter_mut().zip([Arithmetic::F32, Arithmetic::F64]) {
-            *count += u32::from(run(segment, &window, arithmetic).0 != exact);
+    rounding_fails::<CohenSutherland>(2);
+}
+
+fn clip(segment: Segment, settings: Settings) -> Option<Segment> {
+    let unit = window([0.0, 0.0, 1.0, 1.0]);
+    cs::clip_traced(segment, &unit, settings, &mut Tally::default(), &mut NoTrace)
+}
+
+#[test]
+fn or_instead_of_and_rejects_what_crosses() {
+    let mistakes = Mistakes::NONE.with(Mistake::OrForAnd);
+    for arithmetic in [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64] {
+        let clip = |segment| clip(segment, Settings { arithmetic, mistakes });
+        assert_eq!(clip([[-1.0, 0.5], [2.0, 0.5]]), None, "through the window");
+        assert_eq!(clip([[0.5, 0.5], [2.0, 0.5]]), None, "out of the window");
+        let inside = [[0.25, 0.5], [0.75, 0.5]];
+        assert_eq!(clip(inside), Some(inside), "inside");
+    }
+}
+
+/// Two neighbours share an edge and walk it in opposite directions.
+#[test]
+fn the_other_order_opens_a_crack_in_rounded_arithmetic_only() {
+    let mut cracks = [0; 3];
+    for i in 0..1_000_u16 {
+        let segment = [[-1.0 - f32::from(i) / 7.0, 0.1], [3.0, 0.9 - f32::from(i) / 3000.0]];
+        for (count, arithmetic) in
+            cracks.iter_mut().zip([Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64])
+        {
+            let [here, there] = [Mistakes::NONE, Mistakes::NONE.with(Mistake::OtherOrder)]
+                .map(|mistakes| clip(segment, Settings { arithmetic, mistakes }).expect("it crosses"));
+            let apart = (0..2).any(|end| ulps_between(here[end][1], there[end][1]) > 0);
+            *count += usize::from(apart);
         }
     }
-    assert!(wrong[0] > wrong[1] && wrong[1] > 0, "f32 {} wrong, f64 {} wrong", wrong[0], wrong[1]);
+    let [exact, f32, f64] = cracks;
+    assert_eq!(exact, 0);
+    assert!(f32 > 100 && f32 > f64, "{f32} in f32, {f64} in f64");
 }

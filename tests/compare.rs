@@ -204,12 +204,24 @@ fn inclusive_edges_draw_the_shared_diagonal_twice() {
 fn siblings_agree_in_exact_arithmetic() {
     for (name, scene) in corpus() {
         let exact = Setting::Arithmetic(Arithmetic::Exact);
-        if exact.of(&scene).is_some_and(|own| own != exact) {
+        let mistaken = scene.lab.as_ref().is_some_and(
+            |lab| matches!(&lab.input, labs::LabInput::ClipLine(input) if !input.mistakes.is_empty()),
+        );
+        if mistaken || exact.of(&scene).is_some_and(|own| own != exact) {
             continue;
         }
         for setting in settings(&scene) {
             if let Setting::Algorithm(other) = setting {
-                assert_eq!(pair(&scene, setting).difference().count(), 0, "{name}: {other}");
+                let pair = pair(&scene, setting);
+                let found = pair.difference();
+                // A midpoint may stop one step beside the exact place.
+                let halved = Side::ALL.into_iter().any(|side| pair.run(side).name() == "midpoint");
+                if halved {
+                    assert!(found.only_a.is_empty() && found.only_b.is_empty(), "{name}: {other}");
+                    assert!(found.ulps().unwrap_or(0) <= 1, "{name}: {other}");
+                } else {
+                    assert_eq!(found.count(), 0, "{name}: {other}");
+                }
             }
         }
     }

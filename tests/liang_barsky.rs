@@ -1,16 +1,16 @@
 //! Liang-Barsky: laws, golden logs, the exact oracle, and the bits of Cohen-Sutherland.
 
 use crate::support::{
-    Coverage, LINE_WINDOW, Random, check_golden, check_laws, line, log_text, visible_part, window,
+    ARITHMETICS, Clipper, CohenSutherland, LiangBarsky, Random, any_line, bits, check_log,
+    costs_what_it_says, keeps_the_laws, rounding_fails, visible_part, window,
 };
 use rasterscope_core::{
     clip::line::{
-        Segment, Window, cohen_sutherland,
-        liang_barsky::{self as lb, Event, Snapshot, Visible},
+        Segment, Window,
+        liang_barsky::{self as lb, Event, Visible},
     },
     math::{Arithmetic, Tally},
     replay::{Budget, Playback},
-    trace::NoTrace,
 };
 
 fn run(segment: Segment, window: &Window, arithmetic: Arithmetic) -> (Option<Visible>, Vec<Event>) {
@@ -19,24 +19,13 @@ fn run(segment: Segment, window: &Window, arithmetic: Arithmetic) -> (Option<Vis
     (result, events)
 }
 
-fn fast(segment: Segment, window: &Window, arithmetic: Arithmetic) -> Option<Visible> {
-    lb::clip_traced(segment, window, arithmetic, &mut Tally::default(), &mut NoTrace)
-}
-
-fn bits(visible: Option<Visible>) -> Option<[u32; 6]> {
-    visible.map(|Visible { segment: [[x1, y1], [x2, y2]], t: [t0, t1] }| {
-        [x1, y1, x2, y2, t0, t1].map(f32::to_bits)
-    })
-}
-
 fn divisions(events: &[Event]) -> usize {
     events.iter().filter(|event| matches!(event, Event::Divide { .. })).count()
 }
 
 #[track_caller]
 fn check(name: &str, segment: Segment) {
-    let (_, events) = run(segment, &window(LINE_WINDOW), Arithmetic::Exact);
-    check_golden(&format!("liang_barsky/{name}"), &log_text(&events));
+    check_log::<LiangBarsky>(name, segment);
 }
 
 #[test]
@@ -79,24 +68,17 @@ fn zero_length_is_a_point() {
 fn a_corner_at_minus_zero_has_the_bits_of_cohen_sutherland() {
     let window = window([-0.0, -0.0, 1.0, 1.0]);
     for segment in [[[-1.0, -1.0], [2.0, 2.0]], [[2.0, 2.0], [-1.0, -1.0]], [[-1.0, 1.0], [1.0, -1.0]]] {
-        same_bits(segment, &window);
+        let [ours, theirs] = [LiangBarsky::clip(segment, &window), CohenSutherland::clip(segment, &window)];
+        assert_eq!(bits(ours), bits(theirs), "{segment:?} in {window:?}");
     }
 }
 
-#[track_caller]
-fn same_bits(segment: Segment, window: &Window) {
-    let ends = |ends: Option<Segment>| ends.map(|ends| ends.map(|p| p.map(f32::to_bits)));
-    let [ours, theirs] = [lb::clip(segment, window), cohen_sutherland::clip(segment, window)];
-    assert_eq!(ends(ours), ends(theirs), "{segment:?} in {window:?}");
-}
-
 #[test]
-fn agrees_with_the_rational_oracle_and_cohen_sutherland_bit_for_bit() {
+fn parameters_are_correctly_rounded_and_nothing_is_divided_in_vain() {
     let mut random = Random::new(3);
     let (mut rejected, mut cut) = (0, [0; 3]);
-    for _ in 0..80_000 {
-        let (segment, window) = line(&mut random);
-        same_bits(segment, &window);
+    for _ in 0..40_000 {
+        let (segment, window) = any_line(&mut random);
         let (visible, events) = run(segment, &window, Arithmetic::Exact);
         let found = visible.map(|visible| (visible.segment, visible.t));
         assert_eq!(found, visible_part(segment, &window), "{segment:?} in {window:?}");
@@ -111,44 +93,36 @@ fn agrees_with_the_rational_oracle_and_cohen_sutherland_bit_for_bit() {
             }
         }
     }
-    let enough = |count: i32| count > 2_000;
+    let enough = |count: i32| count > 1_000;
     assert!(enough(rejected) && cut.into_iter().all(enough), "lopsided: {rejected} rejected, {cut:?} cut");
 }
 
 #[test]
 fn keeps_the_laws_in_every_arithmetic() {
-    let mut random = Random::new(4);
-    let mut coverage = Coverage::default();
+    keeps_the_laws::<LiangBarsky>(4, 3_000);
+}
+
+#[test]
+fn the_counter_counts_the_divisions() {
+    let mut random = Random::new(7);
     for _ in 0..3_000 {
-        let (segment, window) = line(&mut random);
-        for arithmetic in [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64] {
-            let (traced, events) = run(segment, &window, arithmetic);
-            check_laws(
-                (&bits(fast(segment, &window, arithmetic)), &bits(traced)),
-                &events,
-                |budget| lb::play(segment, window, arithmetic, budget),
-                |state: &Snapshot| bits(state.result()),
-                &mut coverage,
-            );
-            assert!(traced.is_some() || divisions(&events) == 0, "{segment:?} in {arithmetic:?}");
+        let (segment, window) = any_line(&mut random);
+        for arithmetic in ARITHMETICS {
+            let (visible, events) = run(segment, &window, arithmetic);
+            assert!(visible.is_some() || divisions(&events) == 0, "{segment:?} in {arithmetic:?}");
             let mut player = lb::play(segment, window, arithmetic, Budget::default());
             player.seek(player.len());
             assert_eq!(player.state().divisions(), divisions(&events), "the counter shown");
         }
     }
-    coverage.check_every_line::<Snapshot>();
+}
+
+#[test]
+fn events_cost_what_the_taught_form_costs() {
+    costs_what_it_says::<LiangBarsky>(8);
 }
 
 #[test]
 fn rounded_arithmetic_fails_where_exact_does_not() {
-    let mut random = Random::new(5);
-    let mut wrong = [0, 0];
-    for _ in 0..20_000 {
-        let (segment, window) = line(&mut random);
-        let exact = lb::clip(segment, &window);
-        for (count, arithmetic) in wrong.iter_mut().zip([Arithmetic::F32, Arithmetic::F64]) {
-            *count += u32::from(fast(segment, &window, arithmetic).map(|v| v.segment) != exact);
-        }
-    }
-    assert!(wrong[0] > wrong[1] && wrong[1] > 0, "f32 {} wrong, f64 {} wrong", wrong[0], wrong[1]);
+    rounding_fails::<LiangBarsky>(5);
 }

@@ -182,11 +182,10 @@ fn parameters_have_the_order_that_their_names_say() {
         ("order-one-cut", "bottom left 0 right 1 top", true),
         ("order-inside", "bottom left 0 1 right top", true),
     ] {
-        let Some(LabInput::ClipLine(ClipLine { algorithm, window, segment: [x1, y1, x2, y2], arithmetic })) =
-            scene(name).lab.map(|lab| lab.input)
-        else {
+        let Some(LabInput::ClipLine(input)) = scene(name).lab.map(|lab| lab.input) else {
             panic!("{name} opens the lab");
         };
+        let ClipLine { algorithm, window, segment: [x1, y1, x2, y2], arithmetic, .. } = input;
         assert_eq!(algorithm, Algorithm::LiangBarsky, "{name}");
         let window = Window::new(window).expect("a window");
         let mut run = liang_barsky::play([[x1, y1], [x2, y2]], window, arithmetic, Budget::default());

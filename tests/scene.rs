@@ -145,6 +145,7 @@ fn every_field_survives_the_round_trip() {
         window: [0.0, 0.0, 0.0, 1.0],
         segment: [0.1, 0.2, 0.3, 0.4],
         arithmetic: Arithmetic::F64,
+        mistakes: rasterscope_core::clip::line::Mistakes::NONE,
     };
     assert_eq!(scene.lab, Some(Lab { step: Some(3), ..Lab::new(lab) }));
 }

@@ -39,6 +39,13 @@ fn a_bad_field_is_named_by_its_path() {
         let input = r#""window":[0,0,1,1],"segment":[0,0,1,1]"#;
         top(&format!(r#""lab":{{"name":"cohen-sutherland",{input},"compare":{compare}}}"#))
     };
+    let polygon = |corners: &str| {
+        top(&format!(r#""lab":{{"name":"cyrus-beck","polygon":[{corners}],"segment":[0,0,1,1]}}"#))
+    };
+    let mistaken = |mistake: &str| {
+        let input = r#""window":[0,0,1,1],"segment":[0,0,1,1]"#;
+        top(&format!(r#""lab":{{"name":"cohen-sutherland",{input},"mistakes":["{mistake}"]}}"#))
+    };
     let cases = [
         // Missing and unknown.
         (scene(r#""draws":[]"#), "missing", "size"),
@@ -174,6 +181,11 @@ fn a_bad_field_is_named_by_its_path() {
             "window-reversed",
             "lab.window",
         ),
+        (polygon("[0,0],[4,0],[1,1],[0,4]"), "polygon-not-convex", "lab.polygon"),
+        (polygon("[0,0],[1,1],[3,3]"), "polygon-no-area", "lab.polygon"),
+        (polygon("[0,0],[1,1]"), "polygon-corners", "lab.polygon"),
+        (polygon("[0,0],[1,0],[1e99,1]"), "not-finite", "lab.polygon[2][0]"),
+        (mistaken("oops"), "unknown-name", "lab.mistakes[0]"),
         (
             top(r#""lab":{"name":"z-buffer","triangles":[[[0,0,0],[1,0,0],[0,1,1e99]]]}"#),
             "not-finite",

@@ -12,7 +12,7 @@ use rasterscope_core::{
         line::{Point, Window},
         polygon::{
             sutherland_hodgman as sh,
-            weiler_atherton::{self as wa, Event, Piece, Ring, Snapshot, Source},
+            weiler_atherton::{self as wa, Event, Piece, Ring, Snapshot, Source, Why},
         },
     },
     math::Tally,
@@ -22,6 +22,16 @@ use rasterscope_core::{
 fn contours(random: &mut Random) -> (Vec<Vec<Point>>, Window) {
     let (first, window) = polygon(random);
     let mut contours = vec![first];
+    if random.below(8) == 0 {
+        // Around the window, with a hole inside or across a border.
+        let [low, high] = [[window.xmin, window.ymin], [window.xmax, window.ymax]];
+        let low = low.map(|c| (c - c.abs() - 1.0).max(f32::MIN));
+        let high = high.map(|c| (c + c.abs() + 1.0).min(f32::MAX));
+        contours[0] = vec![low, [high[0], low[1]], high, [low[0], high[1]]];
+        let mut corner =
+            || [random.uniform(window.xmin, window.xmax), random.uniform(window.ymin - 0.1, window.ymax)];
+        contours.push(vec![corner(), corner(), corner()]);
+    }
     while random.below(2) == 0 && contours.len() < 3 {
         contours.push(match random.below(3) {
             0 => contours[0].iter().rev().copied().collect(),
@@ -152,8 +162,8 @@ fn covers_what_sutherland_hodgman_covers() {
             inside += u32::from(odd(&given));
         }
     }
-    assert!(inside > 5_000 && holes > 100, "lopsided: {inside} inside, {holes} holes");
-    assert!(counts.iter().all(|&count| count > 50), "lopsided: {counts:?} pieces");
+    assert!(inside > 1_000 && holes > 20, "lopsided: {inside} inside, {holes} holes");
+    assert!(counts[..4].iter().all(|&count| count > 20), "lopsided: {counts:?} pieces");
 }
 
 /// The exact area of a triangle's rest is the same by both algorithms.
@@ -164,25 +174,22 @@ fn has_the_area_of_sutherland_hodgman() {
     for _ in 0..10_000 {
         let (mut points, window) = polygon(&mut random);
         points.truncate(3);
-        let contours = [points.clone()];
-        let ours: Vec<_> = unrounded(&wa::clip(&contours, &window), &contours, &window);
-        let theirs = sh::clip_traced(
-            &contours,
-            &window,
-            sh::Settings::default(),
-            &mut Tally::default(),
-            &mut rasterscope_core::trace::NoTrace,
-        );
+        let (contours, tally) = ([points.clone()], &mut Tally::default());
+        let (mut events, mut their_events) = (Vec::new(), Vec::new());
+        let ours = unrounded(&wa::clip_traced(&contours, &window, tally, &mut events), &contours, &window);
+        let theirs = sh::clip_traced(&contours, &window, sh::Settings::default(), tally, &mut their_events);
         let theirs: Vec<Exact> =
             theirs.iter().flatten().map(|corner| place(corner.source, &points, &window)).collect();
-        if ours.is_empty() || theirs.is_empty() {
-            continue; // what rounds to nothing is left out
+        let merged = events.iter().any(|event| matches!(event, Event::Drop { why: Why::Repeats, .. }))
+            || their_events.iter().any(|event| matches!(event, sh::Event::Drop { why: Why::Repeats, .. }));
+        if merged || ours.is_empty() || theirs.is_empty() {
+            continue; // corners that become one by rounding have lost a source
         }
         let sum = ours.iter().fold(Ratio::from(0.0), |sum, ring| &sum + &area(ring));
         assert_eq!(sum, area(&theirs), "{points:?} in {window:?}");
         some += 1;
     }
-    assert!(some > 2_000, "lopsided: {some}");
+    assert!(some > 300, "lopsided: {some}");
 }
 
 #[test]

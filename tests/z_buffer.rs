@@ -157,7 +157,7 @@ fn many_pixels_are_drawn_in_runs() {
     let marks = player.marks();
     assert!(marks.len() < 400, "{}", marks.len());
     for mark in marks {
-        if let Mark::Run { y, begin, end, object, .. } = mark {
+        if let Mark::Run { y, columns: [begin, end], object, .. } = mark {
             (begin..end).for_each(|x| shown[(300 * y + x) as usize] = object);
         }
     }

@@ -51,9 +51,10 @@ impl Platform for Desktop {
                 Purpose::Save => {
                     dialog.add_filter("Rasterscope", &["json"]).set_file_name(proposed).save_file()
                 }
-                Purpose::Picture => {
-                    dialog.add_filter("SVG, PNG", &["svg", "png"]).set_file_name(proposed).save_file()
-                }
+                Purpose::Picture => dialog
+                    .add_filter("SVG, PNG, CSV", &["svg", "png", "csv"])
+                    .set_file_name(proposed)
+                    .save_file(),
                 Purpose::Film => {
                     dialog.add_filter("APNG", &["png", "apng"]).set_file_name(proposed).save_file()
                 }

@@ -220,10 +220,8 @@ pub enum Mark {
     Run {
         /// The row.
         y: i32,
-        /// First column.
-        begin: i32,
-        /// One past the last column.
-        end: i32,
+        /// First column, and one past the last.
+        columns: [i32; 2],
         /// What they mean.
         role: Role,
         /// Index of the object that they belong to.
@@ -387,11 +385,9 @@ pub trait Explain: State {
     fn tables(&self, out: &mut Vec<Table>);
     /// The drawing: input, what was done so far, and `event`, the step just taken, as active.
     fn marks(&self, event: Option<&Self::Event>, out: &mut Vec<Mark>);
-    /// What part of the plane the drawing shows; the same at every step. [`View::SPACE`] if it has a
-    /// vantage.
+    /// What part of the plane the drawing shows, always; [`View::SPACE`] if it has a vantage.
     fn view(&self) -> View;
-    /// From where a drawing in space is seen first, the same at every step; `None` if all marks lie in
-    /// the plane.
+    /// From where a drawing in space is seen first; `None` if all marks lie in the plane.
     fn vantage(&self) -> Option<Vantage> {
         None
     }

@@ -34,7 +34,8 @@ impl Film {
     /// A message if there are too many steps.
     pub fn new(run: &dyn Playback, level: Option<Level>) -> Result<Self, Message> {
         let film = |level| {
-            let mut steps = run.steps_of(level);
+            let mut steps = vec![0];
+            steps.extend(run.ends(level));
             if steps.last() != Some(&run.len()) {
                 steps.push(run.len());
             }

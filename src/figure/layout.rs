@@ -89,8 +89,8 @@ pub fn draw_held(
                 }
             }
             Mark::Pixel { .. } => cells.pixel(&mut canvas, index, mark),
-            Mark::Run { y, begin, end, role, object } => {
-                cells::cells_of_row(&mut canvas, *y, [*begin, *end], *role, *object);
+            Mark::Run { y, columns, role, object } => {
+                cells::cells_of_row(&mut canvas, *y, *columns, *role, *object);
             }
             Mark::Span { y, ends, role } => cells.span(&mut canvas, *y, *ends, *role),
             Mark::Text { at, label, role, big } => text(&mut canvas, *at, label, *role, *big),

@@ -62,7 +62,7 @@ pub struct App {
     pub(crate) path: Option<String>,
     /// The document as it was opened or saved; `None`: its edits are in no file.
     pub(crate) clean: Option<Document>,
-    /// Whether nothing was kept: this is the first start.
+    /// Whether nothing was kept, so that this is the first start, and bigger text was not offered.
     pub(crate) first: bool,
     /// What was kept for the next start.
     pub(crate) kept: Kept,

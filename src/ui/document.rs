@@ -266,6 +266,7 @@ mod tests {
                 window: [0.0, 0.0, 4.0, 3.0],
                 segment: [x, 0.0, 1.0, 1.0],
                 arithmetic: Default::default(),
+                mistakes: Default::default(),
             })
         };
         let mut document = Document::new(Scene::empty([8, 8]));

@@ -47,9 +47,13 @@ impl App {
         self.split_figure().map(Cow::Owned).or_else(|| self.canvas.last_figure().map(Cow::Borrowed))
     }
 
-    /// Writes the picture as SVG or PNG, as its path ends.
+    /// Writes the picture as SVG or PNG, or the values of the step as CSV, as the path ends.
     pub(crate) fn write_picture(&mut self, path: &str, platform: &mut dyn Platform) {
         let ending = path.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
+        if ending.as_deref() == Some("csv") {
+            let text = self.values();
+            return self.saved(path, platform.write(path, text.as_bytes()));
+        }
         let Some(figure) = self.picture() else { return };
         let bytes = match ending.as_deref() {
             Some("svg") => svg::svg(&figure).into_bytes(),
@@ -90,11 +94,16 @@ impl App {
 
     /// Puts the values of the step on the clipboard, as comma-separated lines.
     pub(crate) fn copy_values(&mut self, ctx: &Context) {
+        ctx.copy_text(self.values());
+        self.notice = Some(Notice::Done(self.words.word("ui-copied-values")));
+    }
+
+    /// The values of the step, as comma-separated lines.
+    fn values(&mut self) -> String {
         let mut tables = self.digest.iter().flat_map(Digest::tables).cloned().collect::<Vec<_>>();
         if self.labs[self.lab()].name() == "pipeline" {
             tables.push((*self.overview.table(&self.words)).clone());
         }
-        ctx.copy_text(csv(&tables));
-        self.notice = Some(Notice::Done(self.words.word("ui-copied-values")));
+        csv(&tables)
     }
 }

@@ -22,6 +22,9 @@ use rasterscope_figure::{
 };
 use std::time::Duration;
 
+/// The message of an animated picture that was stopped.
+const STOPPED: &str = "ui-film-stopped";
+
 /// An animated picture that is being made.
 #[derive(Debug)]
 pub(crate) struct Film {
@@ -81,7 +84,7 @@ impl App {
             let watch = |done| progress.tell(done, frames);
             film.record(&mut *run, delay, PIXELS_PER_POINT, draw, watch)
                 .map(|bytes| (bytes, frames))
-                .ok_or_else(|| Message::new("ui-film-stopped"))
+                .ok_or_else(|| Message::new(STOPPED))
         };
         let task = Task::start(platform, ctx.input(|input| input.time), work);
         self.film = Some(Film { path: path.to_owned(), task });
@@ -125,6 +128,10 @@ impl App {
                 let written = platform.write(&path, &bytes);
                 let message = Message::new("ui-film-saved").with("path", Value::text(&path));
                 self.written(&path, &message.with("frames", frames), written);
+            }
+            // Who stopped it knows.
+            Err(problem) if problem.id == STOPPED => {
+                self.notice = Some(Notice::Done(self.words.message(&problem)));
             }
             Err(problem) => self.notice = Some(Notice::Failed(self.words.message(&problem))),
         }

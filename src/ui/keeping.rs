@@ -65,11 +65,12 @@ impl App {
         }
     }
 
-    /// Offers bigger text at the first start in a large window: its size is known once it is shown.
+    /// Offers bigger text once in a first start, when the window is large: it may be made so later.
     pub(crate) fn offer(&mut self, ctx: &Context) {
-        if std::mem::take(&mut self.first) && self.notice.is_none() {
-            let large = ctx.content_rect().width() >= WIDEST && ctx.zoom_factor() == 1.0;
-            self.notice = large.then_some(Notice::Large);
+        let large = ctx.content_rect().width() >= WIDEST && ctx.zoom_factor() == 1.0;
+        if self.first && large && self.notice.is_none() {
+            self.first = false;
+            self.notice = Some(Notice::Large);
         }
     }
 

@@ -34,6 +34,44 @@ pub(crate) fn line(random: &mut Random) -> (Segment, Window) {
     ([point(), point()], window([xmin, ymin, xmax, ymax]))
 }
 
+/// A random segment and window of any family: those of [`line`], lines through a corner or an ULP
+/// beside it, and lines nearly parallel to a border.
+pub(crate) fn any_line(random: &mut Random) -> (Segment, Window) {
+    let (segment, window) = line(random);
+    let segment = match random.below(7) {
+        0 => through_a_corner(random, &window),
+        1 => nearly_parallel(random, &window),
+        _ => segment,
+    };
+    (segment, window)
+}
+
+/// A segment through a corner of the window, or an ULP beside it; sometimes one that ends there.
+fn through_a_corner(random: &mut Random, window: &Window) -> Segment {
+    let corner = random.pick(&window.corners());
+    let direction = [random.grid(-3, 4), random.grid(-3, 4)];
+    let reach = [-random.pick(&[0.0, 1.0, 2.0, 8.0]), random.pick(&[0.0, 1.0, 4.0, 1024.0])];
+    let mut segment = reach.map(|reach| [0, 1].map(|axis| corner[axis] + reach * direction[axis]));
+    if random.below(2) == 0 {
+        let end = random.pick(&[0_usize, 1]);
+        let axis = random.pick(&[0_usize, 1]);
+        segment[end][axis] = random.near(segment[end][axis]);
+    }
+    segment
+}
+
+/// A segment that runs nearly along a border, or right across the window.
+fn nearly_parallel(random: &mut Random, window: &Window) -> Segment {
+    let axis = random.pick(&[0_usize, 1]);
+    let [low, high] = window.sides(axis);
+    let at = random.pick(&[low, high, low / 2.0 + high / 2.0]);
+    [0, 1].map(|_| {
+        let mut end = [random.uniform(-1e3, 1e3); 2];
+        end[axis] = random.near(at);
+        end
+    })
+}
+
 /// Parametric clipping in rational numbers: the exact interval of visible parameters, and the ends
 /// there; both rounded once.
 pub(crate) fn visible_part([p, q]: Segment, w: &Window) -> Option<(Segment, [f32; 2])> {

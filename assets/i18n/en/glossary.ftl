@@ -13,6 +13,21 @@ glossary-liang-barsky-course = Whether the line comes into the window over this 
 glossary-liang-barsky-from = Where the visible part begins or ends: an end of the line, or the border that cuts it.
 glossary-liang-barsky-value = The parameter t of that place on the line.
 
+glossary-transition = Whether the edge stays inside, goes out, stays outside or comes in: this says which vertices it gives.
+glossary-sutherland-hodgman-transition = { glossary-transition }
+glossary-clip-triangle-transition = { glossary-transition }
+glossary-emits = The vertices that the edge gives to the result.
+glossary-sutherland-hodgman-emits = { glossary-emits }
+glossary-clip-triangle-emits = { glossary-emits }
+glossary-signed-distance = d: how far the vertex lies inside the plane; below 0 it is outside.
+glossary-clip-triangle-from = { glossary-signed-distance }
+glossary-clip-triangle-to = { glossary-signed-distance }
+glossary-ulp = ULP: how many representable numbers lie between two results.
+glossary-clip-triangle-ulp = { glossary-ulp }
+glossary-bvh-boxes = How many boxes hang below this one in the tree.
+glossary-l-r-b-t-n-f = Which of the six planes still have to be tested: left, right, bottom, top, near, far.
+glossary-frustum-culling-is = Where the object lies: inside the frustum, outside, or across a plane.
+
 glossary-x-left = Where the centre line of the row meets the left edge of the triangle, exactly.
 glossary-x-right = Where the centre line of the row meets the right edge of the triangle, exactly.
 glossary-first = The first pixel of the span: the first whose centre lies at or right of x left.
@@ -79,4 +94,5 @@ glossary-stage-image = Image: what is seen in the end.
 glossary-tab-step = What just happened: the sentence, the formula and the values that changed.
 glossary-tab-listing = The algorithm in pseudocode, with the line that was just executed.
 glossary-tab-values = Every value that the algorithm holds now.
+glossary-tab-difference = How the two sides differ: how much, in what, and what each of them costs.
 glossary-tab-pixel = What happened to the pixel that was clicked, fragment by fragment.

@@ -17,6 +17,10 @@ stage-image = Image
 
 error-no-lab = The scene names no lab: choose one, or add a "lab" to the scene file.
 error-window = The window is not one: each minimum must be at most its maximum.
+error-polygon-corners = The window must have 3 to 32 corners.
+error-polygon-not-finite = The window's corners must be finite numbers.
+error-polygon-no-area = All corners lie on one line, so the window has no inside. Move one of them off the line.
+error-polygon-not-convex = The window must be convex. Move the corner that bends inward, or undo.
 error-nothing-to-step = Nothing to step: the scene gives the lab { $lab } no triangle. Add one, or choose a preset.
 error-mixed-depth-states = The scene's draws have different depth states, so they cannot be stepped as one z-buffer. Give all draws the same "depth".
 error-steps-without-stencil = Stepping the whole scene shows the depth test alone, and this scene also uses stencil or blending. What happened to a pixel, the window tells at a click on it.

@@ -23,9 +23,6 @@ liang-barsky-accept = What is left is **visible**. { $divisions ->
     [one] One end was cut, by one division.
    *[other] Both ends were cut, each by one division.
 }
-liang-barsky-enters = enters
-liang-barsky-leaves = leaves
-liang-barsky-parallel = parallel
 liang-barsky-note = { $name } { $course }
 liang-barsky-borders = Borders
 liang-barsky-order = In order along the line

@@ -42,6 +42,9 @@ error-scene-no-such-vertex = { $path }: there is no vertex { $index }; the { $ve
 error-scene-not-one-each = { $path }: there must be one for each of the { $vertices } vertices, not { $found }.
 error-scene-no-texture-coordinates = { $path }: a texture needs texture coordinates, and this mesh has none. Add "uvs" or remove the texture.
 error-scene-window-reversed = { $path }: the window is [xmin, ymin, xmax, ymax], and no minimum may exceed its maximum.
+error-scene-polygon-corners = { $path }: the window must have 3 to 32 corners.
+error-scene-polygon-no-area = { $path }: all corners lie on one line, so the window has no inside. Move one of them off the line.
+error-scene-polygon-not-convex = { $path }: the window must be convex, and a corner bends inward or the outline crosses itself. Move that corner outward.
 error-scene-none-there = { $path }: there is none to choose from. Add one, or remove the lab.
 error-scene-no-setting = { $path }: name the one setting in which the two sides differ, such as {"{"}"fill_rule": "inclusive"{"}"}.
 error-scene-no-file-name = { $path }: this is no file name. Write the name of an OBJ file, such as "cube.obj".
@@ -141,6 +144,24 @@ preset-trefoil = The knot passes before and behind itself three times. No order 
 preset-spheres-name = Spheres through the sides
 preset-spheres = Two spheres reach out of the view. Some triangles are dropped whole, some are cut, and the cuts leave no gap.
 
+preset-point-in-a-region-name = Beyond one border
+preset-point-in-a-region = One comparison says yes: the point lies in the region to the right of the window.
+
+preset-point-inside-name = Inside
+preset-point-inside = No comparison says yes: the code is 0000.
+
+preset-point-beyond-two-name = Beyond two borders
+preset-point-beyond-two = Two bits are 1 in the corner regions. More than two are impossible.
+
+preset-point-on-a-border-name = On a border
+preset-point-on-a-border = The window is closed: beyond means more than ymax, and equal is not more.
+
+preset-point-on-a-corner-name = On a corner
+preset-point-on-a-corner = The point lies on two borders at once and is visible.
+
+preset-point-one-step-outside-name = One step outside
+preset-point-one-step-outside = The next f32 after xmax = 9. On the screen it is on the border; a comparison needs no tolerance to know better.
+
 preset-line-three-cuts-name = Three cuts, corner to corner
 preset-line-three-cuts = Both ends lie in corner regions. Three borders cut before the line is accepted.
 
@@ -161,6 +182,12 @@ preset-line-touches-a-corner = The line meets the window in one point. The windo
 
 preset-line-along-a-border-name = Along a border
 preset-line-along-a-border = The line runs on the border itself. Border points have code 0000, so only the ends are cut.
+
+preset-line-or-for-and-name = Mistake: OR instead of AND
+preset-line-or-for-and = The line crosses the window, but its codes are joined by OR. So it is rejected.
+
+preset-line-crack-name = Mistake: a crack
+preset-line-crack = So far from the origin f32 has only sixteenths. Two neighbours that share this edge cut it from different ends and do not meet.
 
 preset-order-kept-name = Four crossings, kept
 preset-order-kept = All four crossings lie between the ends, in the order 1 > α4 > α3 > α2 > α1 > 0. The two inner ones cut.
@@ -183,6 +210,65 @@ preset-order-one-cut = Every entry lies before P1, so t0 stays 0 and P1 keeps it
 preset-order-inside-name = Both ends inside
 preset-order-inside = Every entry lies before P1 and every exit after P2. Nothing is divided.
 
+preset-convex-pentagon-name = Across a pentagon
+preset-convex-pentagon = Five edges, five normals. The last entry and the first exit bound the visible part.
+
+preset-convex-rectangle-name = A rectangle
+preset-convex-rectangle = The usual window as four edges: the answer is bit for bit that of the other algorithms, at the price of four divisions.
+
+preset-convex-clockwise-name = Clockwise corners
+preset-convex-clockwise = The same pentagon, its corners given the other way round. The inside stays the inside.
+
+preset-convex-just-missed-name = Just missed
+preset-convex-just-missed = The line leaves one edge before it enters another: tE is after tL.
+
+preset-convex-along-an-edge-name = Along an edge
+preset-convex-along-an-edge = D·n is 0: the line runs on the edge itself. The window is closed, so that is inside.
+
+preset-convex-through-a-corner-name = Touches a corner
+preset-convex-through-a-corner = The line touches the window in one corner: tE = tL, and the point is visible.
+
+preset-convex-inside-name = Both ends inside
+preset-convex-inside = Every entry lies before P1 and every exit after P2. It still costs a division an edge.
+
+preset-halve-corner-to-corner-name = From corner to corner
+preset-halve-corner-to-corner = Both ends are outside, so there are two searches. Each halving adds one bit to the answer.
+
+preset-halve-one-end-name = One end inside
+preset-halve-one-end = P1 lies inside and stays. Only the last visible point towards P2 is sought.
+
+preset-halve-hits-a-border-name = A midpoint on the border
+preset-halve-hits-a-border = The first midpoint is the corner itself. The search goes on all the same: it cannot know that this is the last visible point.
+
+preset-halve-until-rejected-name = Passes by
+preset-halve-until-rejected = The codes share no bit, and yet nothing is visible. After a few halvings what is left lies beyond one border.
+
+preset-halve-touches-a-corner-name = Touches a corner
+preset-halve-touches-a-corner = The corner lies a third of the way, and no halving hits a third. Exact signs decide in the end: it is visible.
+
+preset-halve-misses-a-corner-name = Misses a corner in f32
+preset-halve-misses-a-corner = The same line with rounded midpoints: the touched corner is lost.
+
+preset-halve-inside-name = Both ends inside
+preset-halve-inside = Both codes are 0: nothing is halved.
+
+preset-regions-from-a-corner-name = From a corner region
+preset-regions-from-a-corner = P1 lies beyond two borders. One slope tells where the line enters, another where it leaves.
+
+preset-regions-from-an-edge-name = From an edge region
+preset-regions-from-an-edge = P1 lies beyond one border, so the line can only enter there. P2 lies across: no slope is needed.
+
+preset-regions-from-inside-name = From inside
+preset-regions-from-inside = P2 lies beyond two borders. The slope to their corner tells which one cuts, and only that point is computed.
+
+preset-regions-just-missed-name = Just missed
+preset-regions-just-missed = The line passes the corner on the outside. Two products tell it, and no point is computed.
+
+preset-regions-through-a-corner-name = Through a corner
+preset-regions-through-a-corner = Both borders of the corner are crossed at once. Either would give the same point.
+
+preset-regions-same-side-name = On the same side
+preset-regions-same-side = P2 lies beyond the border that P1 lies beyond. Three comparisons reject the line.
 preset-polygon-triangle-name = A triangle loses three corners
 preset-polygon-triangle = Every corner is outside, yet most of the triangle is visible. A corner of the window becomes a corner of the polygon.
 

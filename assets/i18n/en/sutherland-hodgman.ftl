@@ -51,7 +51,6 @@ sutherland-hodgman-word-out-out = out → out
 sutherland-hodgman-edges = Edges against this side
 sutherland-hodgman-out = Emitted so far
 sutherland-hodgman-polygon = Polygon
-sutherland-hodgman-result = What is left
 sutherland-hodgman-sides = Corners before and after each side
 sutherland-hodgman-cracks = Cracks at shared edges
 column-sutherland-hodgman-transition = goes

@@ -52,12 +52,19 @@ pub fn side_b(scene: &Scene) -> Option<Scene> {
     Some(other)
 }
 
-/// Every value of every setting that the open lab reads, its own included.
+/// Every value of every setting that the open lab reads and can have, its own included.
 fn candidates(scene: &Scene) -> Vec<Setting> {
     let Some(Lab { input, .. }) = &scene.lab else { return Vec::new() };
     let algorithms = input.algorithms();
     let siblings = algorithms.iter().filter(|_| algorithms.len() > 1);
-    siblings.map(|name| Setting::Algorithm(name)).chain(input.settings(scene)).collect()
+    let all = siblings.map(|name| Setting::Algorithm(name)).chain(input.settings(scene));
+    // An algorithm may lack the arithmetic that its sibling has.
+    let possible = |setting: &Setting| {
+        let mut other = scene.clone();
+        setting.apply(&mut other);
+        other.lab.as_ref().is_some_and(|lab| lab.input.check(&other).is_ok())
+    };
+    all.filter(possible).collect()
 }
 
 impl Setting {

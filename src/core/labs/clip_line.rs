@@ -2,8 +2,11 @@
 
 use super::Family;
 use crate::{
-    clip::line::{Algorithm, Window, cohen_sutherland, liang_barsky},
-    compare::Setting,
+    clip::line::{
+        Algorithm, Mistakes, Window, cohen_sutherland, cyrus_beck, liang_barsky, midpoint,
+        nicholl_lee_nicholl,
+    },
+    compare::{Choice, Setting},
     math::Arithmetic,
     message::Message,
     replay::{Budget, Playback},
@@ -28,6 +31,17 @@ pub struct ClipLine {
     /// What the cuts are computed in.
     #[serde(default)]
     pub arithmetic: Arithmetic,
+    /// What is got wrong on purpose; the algorithms other than Cohen-Sutherland have no such mistakes
+    /// and stay right.
+    #[serde(default, skip_serializing_if = "Mistakes::is_empty")]
+    pub mistakes: Mistakes,
+}
+
+/// A window has its minima first.
+pub(super) fn check_window(window: &[f32; 4]) -> Checked {
+    each_finite(window).map_err(|e| e.within("window"))?;
+    let [xmin, ymin, xmax, ymax] = *window;
+    refuse_if(xmin > xmax || ymin > ymax, "window", Problem::WindowReversed)
 }
 
 impl Family for ClipLine {
@@ -37,6 +51,7 @@ impl Family for ClipLine {
             window: [3.5, 2.0, 9.0, 6.5],
             segment: [0.5, 0.5, 10.5, 8.5],
             arithmetic: Arithmetic::Exact,
+            mistakes: Mistakes::NONE,
         }
     }
 
@@ -54,27 +69,43 @@ impl Family for ClipLine {
     }
 
     fn check(&self, _: &Scene) -> Checked {
-        each_finite(&self.window).map_err(|e| e.within("window"))?;
-        let [xmin, ymin, xmax, ymax] = self.window;
-        refuse_if(xmin > xmax || ymin > ymax, "window", Problem::WindowReversed)?;
+        check_window(&self.window)?;
         each_finite(&self.segment).map_err(|e| e.within("segment"))?;
         check_arithmetic(self.arithmetic)
     }
 
     fn play(&self, _: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
-        let Self { algorithm, window, segment: [x1, y1, x2, y2], arithmetic } = *self;
+        let Self { algorithm, window, segment: [x1, y1, x2, y2], arithmetic, mistakes } = *self;
         let window = Window::new(window).ok_or_else(|| Message::new("error-window"))?;
         let segment = [[x1, y1], [x2, y2]];
         Ok(match algorithm {
             Algorithm::CohenSutherland => {
-                Box::new(cohen_sutherland::play(segment, window, arithmetic, budget))
+                let settings = cohen_sutherland::Settings { arithmetic, mistakes };
+                Box::new(cohen_sutherland::play(segment, window, settings, budget))
             }
             Algorithm::LiangBarsky => Box::new(liang_barsky::play(segment, window, arithmetic, budget)),
+            Algorithm::CyrusBeck => Box::new(cyrus_beck::play(segment, window.into(), arithmetic, budget)),
+            Algorithm::Midpoint => Box::new(midpoint::play(segment, window, arithmetic, budget)),
+            Algorithm::NichollLeeNicholl => {
+                Box::new(nicholl_lee_nicholl::play(segment, window, arithmetic, budget))
+            }
         })
     }
 
     fn settings(&self, _: &Scene) -> Vec<Setting> {
         ARITHMETICS.map(Setting::Arithmetic).to_vec()
+    }
+
+    fn choices(&self) -> Vec<Choice> {
+        let mistakes = [
+            ("[]", "mistake-none"),
+            ("[\"or-for-and\"]", "mistake-or-for-and"),
+            ("[\"other-order\"]", "mistake-other-order"),
+        ];
+        match self.algorithm {
+            Algorithm::CohenSutherland => Choice::all("mistakes", "compare-mistake", mistakes).to_vec(),
+            _ => Vec::new(),
+        }
     }
 
     fn setting(&self, like: Setting) -> Option<Setting> {

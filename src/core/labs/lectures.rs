@@ -38,7 +38,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
         "transform",
         &[at(TUZLA, "Transformacija"), at(ITALIAN, "Pipeline geometrica"), at(SLOVENE, "Koordinate zaslona")],
     ),
-    ("point-clip", &[at(ITALIAN, "Clipping di un punto")]),
+    ("point-clipping", &[at(ITALIAN, "Clipping di un punto")]),
     (
         "cohen-sutherland",
         &[
@@ -72,7 +72,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
             at(ESTONIAN, "Tagakülgede tuvastamine"),
         ],
     ),
-    ("frustum", &[at(TUZLA, "Culling"), at(SLOVENE, "Izločanje predmetov izven prostora pogleda")]),
+    ("frustum-culling", &[at(TUZLA, "Culling"), at(SLOVENE, "Izločanje predmetov izven prostora pogleda")]),
     ("bvh", &[at(SLOVENE, "Izločanje predmetov izven prostora pogleda")]),
     ("scanline", &[at(TUZLA, "Rasterizacija trougla"), at(RUSSIAN, "«Стандартный» алгоритм")]),
     (

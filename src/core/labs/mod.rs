@@ -7,8 +7,10 @@
 
 mod back_face;
 mod bvh;
+mod clip_convex;
 mod clip_line;
 mod clip_plane;
+mod clip_point;
 mod clip_polygon;
 mod clip_triangle;
 mod frustum_culling;
@@ -22,8 +24,10 @@ pub use self::lectures::Topic;
 pub use self::{
     back_face::BackFace,
     bvh::{Bvh, Over},
+    clip_convex::ClipConvex,
     clip_line::ClipLine,
     clip_plane::ClipPlane,
+    clip_point::ClipPoint,
     clip_polygon::ClipPolygon,
     clip_triangle::{ClipTriangle, Planes},
     frustum_culling::FrustumCulling,
@@ -93,9 +97,13 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<BackFace>("back-face", Stage::Cull),
     LabInfo::new::<FrustumCulling>("frustum-culling", Stage::Cull),
     LabInfo::new::<Bvh>("bvh", Stage::Cull),
+    LabInfo::new::<ClipPoint>("point-clipping", Stage::Clip),
     LabInfo::new::<ClipLine>("cohen-sutherland", Stage::Clip),
     LabInfo::new::<ClipLine>("liang-barsky", Stage::Clip),
     LabInfo::new::<ClipPlane>("clip-plane", Stage::Clip),
+    LabInfo::new::<ClipConvex>("cyrus-beck", Stage::Clip),
+    LabInfo::new::<ClipLine>("midpoint", Stage::Clip),
+    LabInfo::new::<ClipLine>("nicholl-lee-nicholl", Stage::Clip),
     LabInfo::new::<ClipTriangle>("clip-triangle", Stage::Clip),
     LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
     LabInfo::new::<ClipPolygon>("weiler-atherton", Stage::Clip),
@@ -236,8 +244,12 @@ macro_rules! families {
 }
 
 families! {
+    /// A point against a window.
+    ClipPoint
     /// A line against a window.
     ClipLine
+    /// A line against a convex polygon.
+    ClipConvex
     /// Polygons against a window.
     ClipPolygon
     /// One triangle, row by row.

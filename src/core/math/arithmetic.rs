@@ -82,6 +82,12 @@ pub trait Real:
     /// One.
     const ONE: Self;
 
+    /// Half of it, exact above the subnormal numbers: in binary a shift, not a division.
+    #[must_use]
+    fn half(self) -> Self {
+        self / (Self::ONE + Self::ONE)
+    }
+
     /// Converts from f32; exact in both types.
     #[must_use]
     fn from_f32(value: f32) -> Self;

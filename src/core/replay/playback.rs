@@ -28,8 +28,6 @@ pub trait Playback: Send {
     /// Goes to the next execution of a listing line, from the start again behind the last one;
     /// `false` if the run never executes it.
     fn next_at_line(&mut self, line: usize) -> bool;
-    /// The start, and every step that ends an event of `level` or coarser: where [`Self::next`] stops.
-    fn steps_of(&self, level: Level) -> Vec<usize>;
     /// Pseudocode.
     fn listing(&self) -> &'static [&'static str];
     /// The listing line just executed.
@@ -106,12 +104,6 @@ impl<S: Explain> Playback for Player<S> {
             step = first;
         }
         step.map(|step| self.seek_to(step)).is_some()
-    }
-
-    fn steps_of(&self, level: Level) -> Vec<usize> {
-        let mut out = vec![0];
-        self.for_each(|step, event| out.extend((S::level(event) <= level).then_some(step)));
-        out
     }
 
     fn listing(&self) -> &'static [&'static str] {

@@ -1,7 +1,10 @@
 //! What can be wrong with a scene file, and where.
 
 use super::{json::JsonError, obj::ObjError};
-use crate::message::{Message, Value};
+use crate::{
+    clip::line::Flaw,
+    message::{Message, Value},
+};
 use std::fmt;
 
 /// Why a scene was refused. Nothing of it was taken.
@@ -157,6 +160,8 @@ pub enum Problem {
     NoFileName,
     /// The window's minimum exceeds its maximum.
     WindowReversed,
+    /// The polygon is no convex window.
+    Polygon(Flaw),
     /// A comparison without a setting in which the sides differ.
     NoSetting,
     /// Anything else, in the words of a library.
@@ -266,6 +271,7 @@ impl Problem {
             Self::NoneThere => Message::new("error-scene-none-there"),
             Self::NoFileName => Message::new("error-scene-no-file-name"),
             Self::WindowReversed => Message::new("error-scene-window-reversed"),
+            Self::Polygon(flaw) => Message::new(flaw.problem()),
             Self::NoSetting => Message::new("error-scene-no-setting"),
             Self::Other(what) => Message::new("error-scene-other").with("what", Value::text(what)),
         }

@@ -152,7 +152,7 @@ impl<'de> Deserializer<'de> for Reader<'de> {
         visitor.visit_map(Fields { rest: self.object()?.iter(), value: None })
     }
 
-    /// A name, or an object with one field: the name with what it carries.
+    /// Only names: no enum of a scene file carries values.
     fn deserialize_enum<V: Visitor<'de>>(
         self,
         _name: &'static str,
@@ -161,10 +161,6 @@ impl<'de> Deserializer<'de> for Reader<'de> {
     ) -> Result<V::Value, FieldError> {
         match self.0 {
             Value::String(name) => visitor.visit_enum(name.as_str().into_deserializer()),
-            Value::Object(fields) if fields.len() == 1 => {
-                let fields = Fields { rest: fields.iter(), value: None };
-                visitor.visit_enum(de::value::MapAccessDeserializer::new(fields))
-            }
             _ => self.wrong(Kind::Text),
         }
     }

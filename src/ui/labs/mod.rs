@@ -10,11 +10,15 @@ mod clip_plane;
 mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
+mod cyrus_beck;
 mod frustum_culling;
 mod liang_barsky;
+mod midpoint;
+mod nicholl_lee_nicholl;
 mod objects;
 mod pipeline;
 mod placing;
+mod point_clipping;
 mod scanline;
 mod sutherland_hodgman;
 mod transform;
@@ -134,9 +138,13 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(back_face::BackFace),
         Box::new(frustum_culling::FrustumCulling),
         Box::new(bvh::Bvh),
+        Box::new(point_clipping::PointClipping),
         Box::new(cohen_sutherland::LAB),
         Box::new(liang_barsky::LAB),
         Box::new(clip_plane::ClipPlane),
+        Box::new(cyrus_beck::CyrusBeck),
+        Box::new(midpoint::LAB),
+        Box::new(nicholl_lee_nicholl::LAB),
         Box::new(clip_triangle::ClipTriangle),
         Box::new(sutherland_hodgman::LAB),
         Box::new(weiler_atherton::LAB),

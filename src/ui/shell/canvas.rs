@@ -194,8 +194,8 @@ impl Canvas {
         let plane = Plane { rect, placement, y_up: drawing.view.y_up };
         let shown = self.move_handles(ui, &plane, &handles, camera.map(|camera| (camera, &solid[..])), open);
         let flat = !overview && camera.is_none();
-        let on =
-            ui.ctx().pointer_hover_pos().filter(|at| flat && rect.contains(*at) && ui.ui_contains_pointer());
+        let here = background.contains_pointer() || shown.iter().any(|(at, _)| at.contains_pointer());
+        let on = ui.ctx().pointer_hover_pos().filter(|at| flat && here && rect.contains(*at));
         let thing = on.and_then(|at| halo::pointed(&plane, drawing.marks, drawing.view, at));
         thing.into_iter().for_each(|thing| face.links.point_at(thing));
         halo::under(ui.painter(), face, &plane, drawing.marks);

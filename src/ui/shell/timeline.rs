@@ -20,6 +20,8 @@ use rasterscope_core::explain::{Level, Marker, Role};
 const RIGHT: f32 = 212.0;
 /// Most steps that still get a tick each.
 const MOST_TICKS: usize = 200;
+/// Most names that a place is looked for.
+const MOST_CAPTIONS: usize = 64;
 /// Markers of one kind nearer than this merge into one.
 const MERGE: f32 = 12.0;
 /// Steps per second that can be chosen.
@@ -197,7 +199,9 @@ fn labels(painter: &Painter, face: &Face<'_>, bar: Rect, shown: &Shown, x_of: im
     };
     let current = shown.captions.iter().rposition(|(step, _)| *step <= shown.cursor);
     let mut taken: Vec<Rect> = Vec::new();
-    let others = (0..shown.captions.len()).filter(|i| Some(*i) != current);
+    // Of many not even every one is tried: no more would fit.
+    let every = shown.captions.len().div_ceil(MOST_CAPTIONS).max(1);
+    let others = (0..shown.captions.len()).step_by(every).filter(|i| Some(*i) != current);
     for i in current.into_iter().chain(others) {
         let (now, (step, caption)) = (Some(i) == current, &shown.captions[i]);
         let (step, role) = (*step, role_at(*step));

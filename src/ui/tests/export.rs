@@ -75,6 +75,15 @@ fn what_cannot_be_exported_is_said_in_a_sentence() {
 }
 
 #[test]
+fn values_are_written_as_they_are_copied() {
+    let mut window = window_with("cohen-sutherland");
+    ask(&mut window, Command::Picture("a.csv".into()));
+    window.run();
+    let text = String::from_utf8(window.state().platform.files["a.csv"].clone()).expect("it is text");
+    assert!(text.starts_with("Ends,x,y,T B R L\nP1,3.5"), "{text}");
+}
+
+#[test]
 fn the_path_that_is_offered_says_what_the_picture_shows() {
     let mut window = window(1280.0, 720.0);
     ask(&mut window, Command::Preset("line-three-cuts"));

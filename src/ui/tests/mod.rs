@@ -1,5 +1,6 @@
 //! The window driven without a window: every lab, keys, files, pictures.
 
+mod aids;
 mod editing;
 mod export;
 mod files;

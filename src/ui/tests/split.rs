@@ -160,7 +160,7 @@ fn a_pixel_that_is_clicked_is_explained_on_both_sides() {
     let mut window = split("two-sides-tie");
     let canvas = &window.state().app().beside;
     let [x, y] = canvas.placement().expect("it is drawn").to_points([7.5, 3.5]);
-    let origin = place(&window, "A0 on side B").center();
+    let origin = place(&window, "upper0 on side B").center();
     let [ax, ay] = canvas.placement().expect("it is drawn").to_points([1.5, 1.5]);
     let at = origin + vec2(x - ax, y - ay);
     window.hover_at(at);

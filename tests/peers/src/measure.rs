@@ -84,7 +84,8 @@ fn summary(mut times: Vec<f64>) -> Time {
 
 /// Prints a table: name, time, how many times faster than `reference`, and the counts of wrong answers.
 pub fn print(title: &str, reference: &str, columns: &[&str], rows: &[(String, Time, Vec<usize>)]) {
-    let yardstick = rows.iter().find(|(name, ..)| name.starts_with(reference)).map(|(_, time, _)| time.median);
+    let yardstick =
+        rows.iter().find(|(name, ..)| name.starts_with(reference)).map(|(_, time, _)| time.median);
     println!("\n{title}");
     print!("{:<40} {:>9} {:>17} {:>9}", "", "ns", "quartiles", "times");
     columns.iter().for_each(|column| print!(" {column:>9}"));

@@ -11,9 +11,9 @@ mod formulas;
 
 pub use explain::Snapshot;
 
-use super::{Border, End, Kept, Outcode, Point, Segment, Window};
+use super::{Border, End, Kept, Mistake, Mistakes, Outcode, Point, Segment, Window};
 use crate::{
-    math::{Arithmetic, Tally},
+    math::{Arithmetic, Real, Tally},
     replay::{Budget, Player},
     trace::{NoTrace, Tracer},
 };
@@ -23,6 +23,21 @@ use serde::Serialize;
 /// In exact arithmetic each border is cut at most once, so four cuts are enough. Rounded
 /// arithmetic can put a point back outside; after this many cuts it gives up.
 pub const MOST_CUTS: usize = 8;
+
+/// In what, and how wrongly, the algorithm computes; the default is exactly and rightly.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Settings {
+    /// What codes and cuts are computed in.
+    pub arithmetic: Arithmetic,
+    /// What is got wrong on purpose.
+    pub mistakes: Mistakes,
+}
+
+impl From<Arithmetic> for Settings {
+    fn from(arithmetic: Arithmetic) -> Self {
+        Self { arithmetic, mistakes: Mistakes::NONE }
+    }
+}
 
 /// What the algorithm did. At most 16 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -42,6 +57,7 @@ pub enum Event {
     /// Both codes are 0: what is left is inside.
     Accept,
     /// The codes were joined by AND: anything but 0 means that both ends lie beyond one border.
+    /// With [`Mistake::OrForAnd`] it is OR once more.
     And {
         /// The shared bits.
         code: Outcode,
@@ -80,7 +96,7 @@ const _: () = assert!(size_of::<Event>() <= 16);
 /// Inlined: where there is nothing to cut, a call would cost more than the rest.
 #[inline(always)]
 pub fn clip(segment: Segment, window: &Window) -> Option<Segment> {
-    run(Exact::new(&segment, window, &mut Tally::default()), &mut NoTrace)
+    run(Exact::new(&segment, window, &mut Tally::default()), Mistakes::NONE, &mut NoTrace)
 }
 
 /// [`clip`] for each of many segments: appends what is visible of them, in order, with their indices.
@@ -88,15 +104,20 @@ pub fn clip(segment: Segment, window: &Window) -> Option<Segment> {
 /// Allocates only if `kept` has no room for all of them.
 pub fn clip_all(segments: &[Segment], window: &Window, kept: &mut Vec<Kept>) {
     kept.reserve(segments.len());
-    kept.extend(segments.iter().enumerate().filter_map(|(index, segment)| {
-        clip(*segment, window).map(|segment| Kept { index: index as u32, segment })
-    }));
+    let part = |(index, &given)| clip(given, window).map(|segment| Kept { index, segment });
+    kept.extend((0..).zip(segments).filter_map(part));
 }
 
 /// [`clip`] in any arithmetic as a run that can be scrubbed.
-pub fn play(segment: Segment, window: Window, arithmetic: Arithmetic, budget: Budget) -> Player<Snapshot> {
-    Player::new(Snapshot::new(segment, window, arithmetic), budget, move |t| {
-        clip_traced(segment, &window, arithmetic, &mut Tally::default(), t);
+pub fn play(
+    segment: Segment,
+    window: Window,
+    settings: impl Into<Settings>,
+    budget: Budget,
+) -> Player<Snapshot> {
+    let settings = settings.into();
+    Player::new(Snapshot::new(segment, window, settings), budget, move |t| {
+        clip_traced(segment, &window, settings, &mut Tally::default(), t);
     })
 }
 
@@ -108,15 +129,26 @@ pub fn play(segment: Segment, window: Window, arithmetic: Arithmetic, budget: Bu
 pub fn clip_traced<T: Tracer<Event>>(
     segment: Segment,
     window: &Window,
-    arithmetic: Arithmetic,
+    settings: impl Into<Settings>,
     tally: &mut Tally,
     t: &mut T,
 ) -> Option<Segment> {
+    let Settings { arithmetic, mistakes } = settings.into();
     match arithmetic {
-        Arithmetic::Exact | Arithmetic::Fixed8 => run(Exact::new(&segment, window, tally), t),
-        Arithmetic::F32 => run(Taught::<f32>::new(segment, window), t),
-        Arithmetic::F64 => run(Taught::<f64>::new(segment, window), t),
+        Arithmetic::Exact | Arithmetic::Fixed8 => run(Exact::new(&segment, window, tally), mistakes, t),
+        Arithmetic::F32 => clip_taught::<f32, T>(segment, window, mistakes, t),
+        Arithmetic::F64 => clip_taught::<f64, T>(segment, window, mistakes, t),
     }
+}
+
+/// As taught, in any rounded arithmetic: what [`clip_traced`] does for `F32` and `F64`.
+pub fn clip_taught<R: Real, T: Tracer<Event>>(
+    segment: Segment,
+    window: &Window,
+    mistakes: Mistakes,
+    t: &mut T,
+) -> Option<Segment> {
+    run(Taught::<R>::new(segment, window, mistakes), mistakes, t)
 }
 
 /// The text of the algorithm, in any form of arithmetic.
@@ -125,13 +157,14 @@ pub fn clip_traced<T: Tracer<Event>>(
 /// arithmetic no bit comes back, so once is enough: when the codes agree above and below, both ends are
 /// between these borders, and a cut at the right or the left stays between them.
 #[inline(always)]
-fn run<F: Form, T: Tracer<Event>>(mut ends: F, t: &mut T) -> Option<Segment> {
+fn run<F: Form, T: Tracer<Event>>(mut ends: F, mistakes: Mistakes, t: &mut T) -> Option<Segment> {
     let mut codes = End::ALL.map(|end| {
         let code = ends.code(end);
         t.emit(|| Event::Code { end, code });
         code
     });
-    if is_rejected(codes, t) {
+    let mut rejected = is_rejected(codes, mistakes, t);
+    if rejected {
         return None;
     }
     if codes != [Outcode(0); 2] {
@@ -141,7 +174,8 @@ fn run<F: Form, T: Tracer<Event>>(mut ends: F, t: &mut T) -> Option<Segment> {
         for border in Border::ALL {
             let [c1, c2] = codes;
             let end = End::beyond(border, codes);
-            // Untraced and exact, cutting nothing costs less than a branch that cannot be foreseen.
+            // Untraced and exact, cutting nothing, or in vain, costs less than a branch that cannot be
+            // foreseen.
             if (T::ENABLED || F::ROUNDS) && !Outcode(c1.0 ^ c2.0).has(border) {
                 continue;
             }
@@ -153,7 +187,8 @@ fn run<F: Form, T: Tracer<Event>>(mut ends: F, t: &mut T) -> Option<Segment> {
                 code: codes[end as usize],
                 to: ends.segment()[end as usize],
             });
-            if is_rejected(codes, t) {
+            rejected |= is_rejected(codes, mistakes, t);
+            if (T::ENABLED || F::ROUNDS) && rejected {
                 return None;
             }
             if F::ROUNDS {
@@ -161,7 +196,8 @@ fn run<F: Form, T: Tracer<Event>>(mut ends: F, t: &mut T) -> Option<Segment> {
             }
         }
         t.emit(|| Event::Accept);
-        return Some(ends.segment());
+        let visible = ends.segment();
+        return if rejected { None } else { Some(visible) };
     }
     t.emit(|| Event::GiveUp);
     None
@@ -169,8 +205,9 @@ fn run<F: Form, T: Tracer<Event>>(mut ends: F, t: &mut T) -> Option<Segment> {
 
 /// Whether both ends lie beyond one border.
 #[inline(always)]
-fn is_rejected<T: Tracer<Event>>([c1, c2]: [Outcode; 2], t: &mut T) -> bool {
+fn is_rejected<T: Tracer<Event>>([c1, c2]: [Outcode; 2], mistakes: Mistakes, t: &mut T) -> bool {
     let [or, and] = [Outcode(c1.0 | c2.0), Outcode(c1.0 & c2.0)];
+    let and = if mistakes.has(Mistake::OrForAnd) { or } else { and };
     t.emit(|| Event::Or { code: or });
     if or.0 != 0 {
         t.emit(|| Event::And { code: and });

@@ -66,7 +66,7 @@ fn decide([low, high]: [f32; 2], segment: Segment, border: Border, window: &Wind
     if low <= 0.0 && high >= 0.0 && above(0.0).is_zero() {
         0.0
     } else if next_up(low) == high && high.is_finite() {
-        let even = if low.to_bits() % 2 == 0 { low } else { high };
+        let even = if low.to_bits().is_multiple_of(2) { low } else { high };
         let value = match above((f64::from(low) + f64::from(high)) / 2.0) {
             Sign::Negative => low,
             Sign::Zero => even,

@@ -13,36 +13,17 @@ mod explain;
 mod forms;
 mod formulas;
 
+pub use super::{Course, Parameter, Visible};
 pub use explain::Snapshot;
 
 use super::{Border, End, Point, Segment, Window};
 use crate::{
-    math::{Arithmetic, Sign, Tally},
+    math::{Arithmetic, Real, Sign, Tally},
     replay::{Budget, Player},
     trace::{NoTrace, Tracer},
 };
 use forms::{Exact, Form, Taught};
 use serde::Serialize;
-
-/// What the line does at a border.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub enum Course {
-    /// p < 0: it comes in.
-    Enters,
-    /// p > 0: it goes out.
-    Leaves,
-    /// p = 0: it keeps its distance.
-    Parallel,
-}
-
-/// A place on the line: where the visible part begins or ends. A fraction, not divided.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub enum Parameter {
-    /// t = 0 or 1: an end of the segment.
-    Of(End),
-    /// t = q / p of a border that is not parallel.
-    At(Border),
-}
 
 /// What the algorithm did. At most 16 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -107,16 +88,6 @@ pub enum Event {
 }
 const _: () = assert!(size_of::<Event>() <= 16);
 
-/// The visible part of a segment.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Visible {
-    /// Its ends, in the order given.
-    pub segment: Segment,
-    /// Their parameters: 0 at the given first end, 1 at the second. In exact arithmetic correctly
-    /// rounded, and `0 <= t0 <= t1 <= 1`.
-    pub t: [f32; 2],
-}
-
 /// Clips a segment of finite coordinates against a window: `None` if no point of it is inside.
 ///
 /// The answer is exact, and bit for bit that of [`cohen_sutherland`](super::cohen_sutherland). A
@@ -150,9 +121,18 @@ pub fn clip_traced<T: Tracer<Event>>(
 ) -> Option<Visible> {
     match arithmetic {
         Arithmetic::Exact | Arithmetic::Fixed8 => run(Exact::new(segment, window, tally), t),
-        Arithmetic::F32 => run(Taught::<f32>::new(segment, window), t),
-        Arithmetic::F64 => run(Taught::<f64>::new(segment, window), t),
+        Arithmetic::F32 => clip_taught::<f32, T>(segment, window, t),
+        Arithmetic::F64 => clip_taught::<f64, T>(segment, window, t),
     }
+}
+
+/// As taught, in any rounded arithmetic: what [`clip_traced`] does for `F32` and `F64`.
+pub fn clip_taught<R: Real, T: Tracer<Event>>(
+    segment: Segment,
+    window: &Window,
+    t: &mut T,
+) -> Option<Visible> {
+    run(Taught::<R>::new(segment, window), t)
 }
 
 /// The text of the algorithm, in any form of arithmetic.
@@ -199,10 +179,10 @@ fn run<F: Form, T: Tracer<Event>>(mut line: F, t: &mut T) -> Option<Visible> {
     for (end, parameter) in End::ALL.into_iter().zip([t0, t1]) {
         if let Parameter::At(border) = parameter {
             let at = line.divide(border);
-            t.emit(|| Event::Divide { border, end, t: at });
-            let to = line.cut(border);
+            t.emit(|| Event::Divide { border, end, t: at.to_f32() });
+            let to = line.cut(border, at);
             t.emit(|| Event::Cut { border, end, to });
-            visible.t[end as usize] = at;
+            visible.t[end as usize] = at.to_f32();
             visible.segment[end as usize] = to;
         }
     }

@@ -7,14 +7,25 @@
 //! the line and the border alone: not on the order of the ends, nor on the algorithm.
 
 pub mod cohen_sutherland;
+mod convex;
 mod crossings;
+pub mod cyrus_beck;
 pub(in crate::clip) mod intersection;
 pub mod liang_barsky;
+mod meets;
+pub mod midpoint;
+mod mistake;
+pub mod nicholl_lee_nicholl;
+mod parametric;
+pub(in crate::clip) mod subject;
+
+pub use convex::{ConvexWindow, Flaw};
+pub use mistake::{Mistake, Mistakes};
+pub use parametric::{Course, Parameter, Quotient, Visible};
 
 use crate::{
-    compare::Fact,
-    explain::{Grid, Piece, View},
-    math::Arithmetic,
+    explain::{Piece, View},
+    math::{Arithmetic, Sign},
     message::Value,
 };
 use serde::{Deserialize, Serialize};
@@ -43,17 +54,27 @@ pub enum Algorithm {
     CohenSutherland,
     /// Ordered parameters: [`liang_barsky`].
     LiangBarsky,
+    /// Any convex window, edge by edge: [`cyrus_beck`].
+    CyrusBeck,
+    /// Halving: [`midpoint`].
+    Midpoint,
+    /// Regions and slopes: [`nicholl_lee_nicholl`].
+    NichollLeeNicholl,
 }
 
 impl Algorithm {
     /// Every algorithm, the default first.
-    pub const ALL: [Self; 2] = [Self::CohenSutherland, Self::LiangBarsky];
+    pub const ALL: [Self; 5] =
+        [Self::CohenSutherland, Self::LiangBarsky, Self::CyrusBeck, Self::Midpoint, Self::NichollLeeNicholl];
 
     /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::CohenSutherland => "cohen-sutherland",
             Self::LiangBarsky => "liang-barsky",
+            Self::CyrusBeck => "cyrus-beck",
+            Self::Midpoint => "midpoint",
+            Self::NichollLeeNicholl => "nicholl-lee-nicholl",
         }
     }
 }
@@ -146,6 +167,25 @@ impl Border {
             Self::Bottom => "ymin",
             Self::Right => "xmax",
             Self::Left => "xmin",
+        }
+    }
+
+    /// Its letter, as an outcode names its bits.
+    pub fn letter(self) -> &'static str {
+        match self {
+            Self::Top => "T",
+            Self::Bottom => "B",
+            Self::Right => "R",
+            Self::Left => "L",
+        }
+    }
+
+    /// The sign of the outward direction along its axis.
+    #[inline]
+    pub(crate) fn outward(self) -> Sign {
+        match self {
+            Self::Left | Self::Bottom => Sign::Negative,
+            Self::Right | Self::Top => Sign::Positive,
         }
     }
 
@@ -256,29 +296,7 @@ impl Outcode {
 
 /// What the labs of this stage show: the points of the input, the window, and some room around both.
 pub(in crate::clip) fn view(points: impl IntoIterator<Item = Point>, window: &Window) -> View {
-    let [mut min, mut max] = [[window.xmin, window.ymin], [window.xmax, window.ymax]];
-    for p in points {
-        for axis in 0..2 {
-            min[axis] = min[axis].min(p[axis]);
-            max[axis] = max[axis].max(p[axis]);
-        }
-    }
-    for axis in 0..2 {
-        // Room for what stands in the outer regions; capped so that huge inputs stay finite.
-        let margin = ((max[axis] / 2.0 - min[axis] / 2.0) * 0.4).max(0.5);
-        min[axis] = (min[axis] - margin).max(f32::MIN / 4.0);
-        max[axis] = (max[axis] + margin).min(f32::MAX / 4.0);
-    }
-    View { min, max, y_up: true, grid: Grid::Units }
-}
-
-/// What the labs of this stage come to: the answer, and where the ends are if something is visible.
-fn facts(accepted: Option<bool>, ends: Segment, out: &mut Vec<Fact>) {
-    let Some(accepted) = accepted else { return };
-    out.push(Fact::answer(if accepted { "word-accepted" } else { "word-rejected" }));
-    if accepted {
-        out.extend(End::ALL.map(|end| Fact::point(end.name(), ends[end as usize])));
-    }
+    subject::view(window.corners().into_iter().chain(points))
 }
 
 /// The numbers of how far along from a1 to a2 the border c lies, `= (c − a1) / (a2 − a1) = t`, and t.

@@ -173,6 +173,7 @@ impl<'a> Given<'a> {
     }
 
     /// Whether this coordinate stays the same along a carrier.
+    #[inline]
     fn is_level(&self, carrier: Carrier, axis: usize) -> bool {
         match carrier {
             Carrier::Border(border) => border.axis() == axis,
@@ -183,15 +184,15 @@ impl<'a> Given<'a> {
         }
     }
 
-    /// Whether the given polygon certainly turns at each of its corners, so that none needs to be asked
-    /// whether an outline goes straight on there: one pass without a branch.
+    /// Whether a single given contour certainly turns at each of its corners, so that none needs to be
+    /// asked whether an outline goes straight on there: one pass without a branch.
     fn turns(&self) -> bool {
-        let (Some(&last), Some(&first)) = (self.points.last(), self.points.first()) else { return true };
+        let ([_], [first, .., last]) = (self.starts, self.points) else { return false };
+        let (first, last) = (*first, *last);
         let turns =
             |a: Point, b: Point, c: Point| edge_value(a, b, c).sign().is_some_and(|side| !side.is_zero());
         let inner = self.points.windows(3).fold(true, |all, p| all & turns(p[0], p[1], p[2]));
-        let [before, after] = [self.points.len().saturating_sub(2), 1.min(self.points.len() - 1)];
-        inner && turns(self.points[before], last, first) && turns(last, first, self.points[after])
+        inner && turns(self.points[self.points.len() - 2], last, first) && turns(last, first, self.points[1])
     }
 
     /// Whether the outline goes straight on at `b`: exact, since along an axis rounding keeps the order
@@ -227,10 +228,10 @@ impl<'a> Given<'a> {
         tally: &mut Tally,
         mut dropped: impl FnMut(usize, Why),
     ) {
-        if self.is_on_one_line(corners, tally) {
+        let turns = self.turns();
+        if self.is_on_one_line(corners, turns, tally) {
             return clear(corners, &mut dropped);
         }
-        let turns = self.turns();
         let mut kept = 0;
         for read in 0..corners.len() {
             let corner = corners[read];
@@ -281,10 +282,13 @@ impl<'a> Given<'a> {
     }
 
     /// Whether the whole outline lies on one line, exactly.
-    fn is_on_one_line(&self, corners: &[Corner], tally: &mut Tally) -> bool {
+    fn is_on_one_line(&self, corners: &[Corner], turns: bool, tally: &mut Tally) -> bool {
         let level = |axis: usize| corners.iter().all(|corner| self.is_level(corner.next, axis));
         if level(0) || level(1) {
             return true;
+        }
+        if turns {
+            return false;
         }
         let first = self.points[0];
         let Some(&second) = self.points.iter().find(|&&point| point != first) else { return true };

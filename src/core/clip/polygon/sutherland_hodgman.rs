@@ -208,8 +208,8 @@ pub fn clip(polygon: &[Point], window: &Window) -> Vec<Point> {
 pub fn clip_into(polygon: &[Point], window: &Window, buffers: &mut Buffers, out: &mut Vec<Point>) {
     out.clear();
     let outside = beyond(polygon, window);
-    // All corners beyond one side: nothing is left.
-    if outside.every.0 != 0 || polygon.is_empty() {
+    // All corners beyond one side, or none at all: nothing is left.
+    if outside.every.0 != 0 {
         return;
     }
     let sides = SideOrder::default().sides();
@@ -237,21 +237,14 @@ struct Beyond {
 
 #[inline]
 fn beyond(polygon: &[Point], window: &Window) -> Beyond {
-    let Some(&first) = polygon.first() else {
-        return Beyond { some: Outcode(0), every: Outcode(0) };
-    };
-    let [mut min, mut max] = [first; 2];
-    for p in polygon {
-        for axis in 0..2 {
-            min[axis] = if p[axis] < min[axis] { p[axis] } else { min[axis] };
-            max[axis] = if p[axis] > max[axis] { p[axis] } else { max[axis] };
-        }
-    }
     let Window { xmin, ymin, xmax, ymax } = *window;
-    Beyond {
-        some: Outcode::from_bits([max[1] > ymax, min[1] < ymin, max[0] > xmax, min[0] < xmin]),
-        every: Outcode::from_bits([min[1] > ymax, max[1] < ymin, min[0] > xmax, max[0] < xmin]),
-    }
+    polygon.iter().map(|&p| Outcode::of(p, [xmin, ymin, xmax, ymax])).fold(
+        Beyond { some: Outcode(0), every: Outcode(0b1111) },
+        |beyond, code| Beyond {
+            some: Outcode(beyond.some.0 | code.0),
+            every: Outcode(beyond.every.0 & code.0),
+        },
+    )
 }
 
 /// Clips each polygon, in any arithmetic: what [`clip`] does with its corners' sources, and what the

@@ -172,6 +172,11 @@ pub fn clip_traced<T: Tracer<Event>>(
     tally: &mut Tally,
     t: &mut T,
 ) -> Vec<Piece> {
+    // A window without area holds nothing that has one.
+    if window.xmin == window.xmax || window.ymin == window.ymax {
+        t.emit(|| Event::Done { pieces: 0 });
+        return Vec::new();
+    }
     let points: Vec<Point> = contours.concat();
     let starts = starts(contours);
     let given = Given { points: &points, starts: &starts, window };

@@ -348,8 +348,8 @@ impl Snapshot {
             let shown = object(begin);
             let end = (begin + 1..width).find(|x| object(*x) != shown).unwrap_or(width);
             if shown.is_some() {
-                let [y, begin, end] = [y, begin, end].map(|n| n as i32);
-                out.push(Mark::Run { y, begin, end, role: Role::Neutral, object: shown });
+                let (y, columns) = (y as i32, [begin, end].map(|x| x as i32));
+                out.push(Mark::Run { y, columns, role: Role::Neutral, object: shown });
             }
             begin = end;
         }

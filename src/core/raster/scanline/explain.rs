@@ -246,8 +246,8 @@ impl Explain for Snapshot {
             let begin = row.span.map_or(0, |[begin, _]| begin);
             let drawn = begin..begin + row.drawn;
             if many {
-                let [begin, end] = [drawn.start, drawn.end].map(|x| x as i32);
-                out.push(Mark::Run { y: row.y as i32, begin, end, role: Role::Accepted, object: Some(0) });
+                let columns = [drawn.start, drawn.end].map(|x| x as i32);
+                out.push(Mark::Run { y: row.y as i32, columns, role: Role::Accepted, object: Some(0) });
             } else {
                 out.extend(drawn.map(|x| pixel(x, row.y, Role::Accepted, Some(0))));
             }

@@ -155,7 +155,7 @@ fn counts(face: &Face<'_>, pair: &Pair, costs: [Operations; 2]) -> TextTable {
         }
     });
     let columns = Side::ALL.map(|side| side.name().to_owned()).to_vec();
-    let meanings = Vec::new(); // every word says itself
+    let meanings = vec![None; 1 + columns.len()];
     TextTable { title: face.say("ui-difference-counts"), columns, meanings, rows: rows.collect() }
 }
 
@@ -214,7 +214,8 @@ fn explain(ui: &mut Ui, face: &Face<'_>, sides: &Sides, part: Part<'_>, of: &Fac
         }
     });
     let columns = Side::ALL.map(|side| side.name().to_owned()).to_vec();
-    let one = TextTable { title: title(face, of), columns, meanings: Vec::new(), rows: rows.collect() };
+    let meanings = vec![None; 1 + columns.len()];
+    let one = TextTable { title: title(face, of), columns, meanings, rows: rows.collect() };
     if one.rows.is_empty() {
         inset(ui, |ui| {
             ui.add_space(8.0);

@@ -43,7 +43,11 @@ pub fn visible([p, q]: Segment, [xmin, ymin, xmax, ymax]: Sides) -> Option<Segme
 pub const COLUMNS: [&str; 4] = ["kept", "dropped", "outside", "not nearest"];
 
 /// How many answers are wrong in which way, in the order of [`COLUMNS`].
-pub fn count(answers: &[Answer], expected: &[Option<Segment>], [xmin, ymin, xmax, ymax]: Sides) -> Vec<usize> {
+pub fn count(
+    answers: &[Answer],
+    expected: &[Option<Segment>],
+    [xmin, ymin, xmax, ymax]: Sides,
+) -> Vec<usize> {
     let [xmin, ymin, xmax, ymax] = [xmin, ymin, xmax, ymax].map(f64::from);
     let mut counts = vec![0; COLUMNS.len()];
     for (answer, expected) in answers.iter().zip(expected) {

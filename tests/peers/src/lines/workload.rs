@@ -11,8 +11,8 @@ pub enum Mix {
     Outside,
     /// Cut once or twice; ends anywhere in that box.
     Crossing,
-    /// Past a corner of the window from one side to the other: half of them within rounding of it,
-    /// on either side, some of them exactly through it.
+    /// Past a corner of the window from one side to the other, within the rounding of an end of it: on
+    /// either side, and, of the one in sixteen that is as long before the corner as behind, through it.
     Grazing,
 }
 
@@ -70,7 +70,7 @@ fn past_a_corner(random: &mut Random, [xmin, ymin, xmax, ymax]: Sides) -> Segmen
     let falling = if right == top { -1.0 } else { 1.0 };
     let size = f64::from(xmax - xmin);
     let (dx, slope) = (random.uniform(0.1, 0.9) * size, random.uniform(0.2, 5.0) * falling);
-    let back = if random.below(4) == 0 { 1.0 } else { random.uniform(0.3, 3.0) };
+    let back = if random.below(16) == 0 { 1.0 } else { random.uniform(0.3, 3.0) };
     let p = [corner[0] + dx as f32, corner[1] + (dx * slope) as f32];
     let q = [0, 1].map(|axis| {
         let c = f64::from(corner[axis]);

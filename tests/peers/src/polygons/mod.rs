@@ -35,7 +35,8 @@ pub fn run(rounds: usize) {
             })
             .collect();
         let left = expected.iter().filter(|left| !left.corners.is_empty()).count();
-        let title = format!("polygons, {}: {} of them, {left} visible; ns a given corner", size.name, size.count);
+        let title =
+            format!("polygons, {}: {} of them, {left} visible; ns a given corner", size.name, size.count);
         print(&title, "line-clipping", &oracle::COLUMNS, &rows);
     }
 }

@@ -42,7 +42,11 @@ pub fn clip(polygon: &Polygon, [xmin, ymin, xmax, ymax]: Sides) -> Expected {
     for i in 0..corners.len() {
         let (p, q) = (&corners[i], &corners[(i + 1) % corners.len()]);
         doubled += &p[0] * &q[1] - &p[1] * &q[0];
-        length += [0, 1].map(|axis| (&q[axis] - &p[axis]).to_f64().unwrap_or(0.0)).iter().map(|x| x.abs()).sum::<f64>();
+        length += [0, 1]
+            .map(|axis| (&q[axis] - &p[axis]).to_f64().unwrap_or(0.0))
+            .iter()
+            .map(|x| x.abs())
+            .sum::<f64>();
     }
     let ulp = f64::from(f32::EPSILON) * f64::from(xmax.abs().max(xmin.abs()).max(ymax.abs()).max(ymin.abs()));
     Expected {

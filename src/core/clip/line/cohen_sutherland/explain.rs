@@ -1,16 +1,18 @@
 //! What the lab shows of a Cohen-Sutherland run.
 
-use super::{
-    Event, MOST_CUTS,
-    formulas::{bits, joined},
-};
+use super::{Event, MOST_CUTS, Settings};
 use crate::{
-    clip::line::{Border, End, Outcode, Point, Segment, Window, facts, view},
+    clip::line::{
+        Border, End, Mistake, Mistakes, Outcode, Point, Segment, Window,
+        subject::{Subject, bits, draw_borders, draw_region_codes, draw_window, joined, with_borders},
+        view,
+    },
     compare::Fact,
-    explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
-    math::Arithmetic,
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, Role, Row, Table, View},
+    math::Tally,
     message::{Message, Value},
     replay::State,
+    trace::NoTrace,
 };
 
 /// A piece of the segment that was cut off.
@@ -25,53 +27,48 @@ pub(super) struct Removed {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
     pub(super) window: Window,
-    pub(super) arithmetic: Arithmetic,
-    pub(super) original: Segment,
-    /// The ends as they stand.
-    pub(super) ends: Segment,
-    /// Their codes, once computed.
+    pub(super) settings: Settings,
+    pub(super) subject: Subject,
+    /// What is right: without the mistakes, or, if none is made, in exact arithmetic.
+    right: Option<Segment>,
+    /// The codes of the ends, once computed.
     codes: [Option<Outcode>; 2],
     or: Option<Outcode>,
     and: Option<Outcode>,
     chosen: Option<(Border, End)>,
     removed: [Option<Removed>; MOST_CUTS],
-    /// `Some(true)` accepted, `Some(false)` rejected, `None` still running.
-    accepted: Option<bool>,
 }
 
 impl Snapshot {
     /// Before the first event.
-    pub fn new(segment: Segment, window: Window, arithmetic: Arithmetic) -> Self {
+    pub fn new(segment: Segment, window: Window, settings: impl Into<Settings>) -> Self {
+        let settings = settings.into();
+        let right = match settings {
+            Settings { mistakes: Mistakes::NONE, .. } => super::clip(segment, &window),
+            Settings { arithmetic, .. } => {
+                super::clip_traced(segment, &window, arithmetic, &mut Tally::default(), &mut NoTrace)
+            }
+        };
         Self {
             window,
-            arithmetic,
-            original: segment,
-            ends: segment,
+            settings,
+            subject: Subject::new(segment, settings.arithmetic),
+            right,
             codes: [None; 2],
             or: None,
             and: None,
             chosen: None,
             removed: [None; MOST_CUTS],
-            accepted: None,
         }
     }
 
     /// The result that the events so far amount to.
     pub fn result(&self) -> Option<Segment> {
-        (self.accepted == Some(true)).then_some(self.ends)
+        self.subject.result()
     }
 
     pub(super) fn removed(&self) -> impl DoubleEndedIterator<Item = Removed> {
         self.removed.iter().flatten().copied()
-    }
-
-    fn moved(&self, end: End) -> bool {
-        self.removed().any(|piece| piece.end == end)
-    }
-
-    /// The name of an end as it stands.
-    fn name(&self, end: End) -> &'static str {
-        if self.moved(end) { ["P1′", "P2′"][end as usize] } else { end.name() }
     }
 }
 
@@ -83,11 +80,11 @@ impl State for Snapshot {
             Event::Code { end, code } => self.codes[end as usize] = Some(code),
             Event::Or { code } => (self.or, self.and, self.chosen) = (Some(code), None, None),
             Event::And { code } => self.and = Some(code),
-            Event::Accept => self.accepted = Some(true),
-            Event::Reject | Event::GiveUp => self.accepted = Some(false),
+            Event::Accept => self.subject.accepted = Some(true),
+            Event::Reject | Event::GiveUp => self.subject.accepted = Some(false),
             Event::Choose { border, end } => self.chosen = Some((border, end)),
             Event::Cut { border, end, code, to } => {
-                let from = std::mem::replace(&mut self.ends[end as usize], to);
+                let from = self.subject.move_end(end, to);
                 if let Some(free) = self.removed.iter_mut().find(|piece| piece.is_none()) {
                     *free = Some(Removed { end, border, from });
                 }
@@ -168,26 +165,25 @@ impl Explain for Snapshot {
                 Message::new("cohen-sutherland-code-inside").with("end", Value::text(end.name()))
             }
             Event::Code { end, code } => {
-                let mut beyond = Border::ALL.into_iter().filter(|&border| code.has(border)).map(Border::word);
-                let [first, second] = [beyond.next(), beyond.next()].map(|id| id.map(Value::Word));
-                Message::new("cohen-sutherland-code")
-                    .with("end", Value::text(end.name()))
-                    .with("borders", 1 + usize::from(second.is_some()))
-                    .with("first", first)
-                    .with("second", second)
-                    .with("code", bits(code))
+                let message = Message::new("cohen-sutherland-code").with("end", Value::text(end.name()));
+                with_borders(message, code)
             }
             Event::Or { code } if code.0 == 0 => Message::new("cohen-sutherland-or-zero"),
             Event::Or { code } => Message::new("cohen-sutherland-or").with("code", bits(code)),
             Event::Accept => Message::new("cohen-sutherland-accept"),
             Event::And { code } if code.0 == 0 => Message::new("cohen-sutherland-and-zero"),
+            Event::And { code } if self.settings.mistakes.has(Mistake::OrForAnd) => {
+                Message::new("cohen-sutherland-and-mistaken").with("code", bits(code))
+            }
             Event::And { code } => Message::new("cohen-sutherland-and")
                 .with("code", bits(code))
                 .with("border", Value::Word(code.first().unwrap_or(Border::Top).word())),
-            Event::Reject => {
-                let border = self.and.and_then(Outcode::first).unwrap_or(Border::Top);
-                Message::new("cohen-sutherland-reject").with("border", Value::Word(border.word()))
-            }
+            Event::Reject => match self.shared() {
+                Some(border) => {
+                    Message::new("cohen-sutherland-reject").with("border", Value::Word(border.word()))
+                }
+                None => Message::new("cohen-sutherland-reject-mistaken"),
+            },
             Event::GiveUp => Message::new("cohen-sutherland-give-up").with("cuts", MOST_CUTS),
             Event::Choose { border, end } => Message::new("cohen-sutherland-choose")
                 .with("border", Value::Word(border.word()))
@@ -208,6 +204,9 @@ impl Explain for Snapshot {
         let [Some(c1), Some(c2)] = self.codes else { return };
         match *event {
             Event::Or { code } => out.push(joined("c1 OR c2", " OR ", [c1, c2, code])),
+            Event::And { code } if self.settings.mistakes.has(Mistake::OrForAnd) => {
+                out.push(joined("c1 OR c2", " OR ", [c1, c2, code]));
+            }
             Event::And { code } => out.push(joined("c1 AND c2", " AND ", [c1, c2, code])),
             Event::Cut { border, end, to, .. } => out.extend(self.cut(border, end, to)),
             _ => {}
@@ -219,7 +218,7 @@ impl Explain for Snapshot {
         let mut rows: Vec<Row> = End::ALL
             .into_iter()
             .map(|end| {
-                let [x, y] = self.ends[end as usize];
+                let [x, y] = self.subject.ends[end as usize];
                 let code = self.codes[end as usize].map_or(Value::None, bits);
                 Row::new(end.name(), vec![x.into(), y.into(), code]).active(active == Some(end))
             })
@@ -237,95 +236,52 @@ impl Explain for Snapshot {
                 Row::new("max", vec![xmax.into(), ymax.into()]),
             ],
         });
+        if !self.subject.is_exact() || self.settings.mistakes != Mistakes::NONE {
+            out.push(self.subject.comparison(self.right));
+        }
     }
 
     fn marks(&self, event: Option<&Event>, out: &mut Vec<Mark>) {
-        out.push(Mark::Polygon {
-            points: self.window.corners().to_vec(),
-            role: Role::Neutral,
-            object: None,
-            label: None,
-        });
-        let cutting = self.chosen.filter(|_| self.accepted.is_none()).map(|(border, _)| border);
-        for border in Border::ALL {
-            let role = if cutting == Some(border) { Role::Active } else { Role::Candidate };
-            let at = self.window.at(border);
-            let label = Some(Label::new(border.name(), at));
-            let now = matches!(event, Some(Event::Cut { border: cut, .. }) if *cut == border);
-            let note = now.then(|| {
-                Message::new("cohen-sutherland-cutting")
+        draw_window(&self.window.corners(), out);
+        let cutting = self.chosen.filter(|_| self.subject.accepted.is_none()).map(|(border, _)| border);
+        let (now, note) = match event {
+            Some(Event::Cut { end, border, .. }) => {
+                let note = Message::new("cohen-sutherland-cutting")
                     .with("axis", Value::text(["x", "y"][border.axis()]))
-                    .with("border", Value::text(border.name()))
-            });
-            out.push(Mark::Guide { axis: border.axis() as u8, at, role, label, note });
-        }
-        self.region_codes(out);
+                    .with("border", Value::text(border.name()));
+                (Some(*end), Some(note))
+            }
+            _ => (None, None),
+        };
+        draw_borders(&self.window, cutting, note, out);
+        let named = End::ALL.map(|end| (self.subject.name(end), self.codes[end as usize]));
+        draw_region_codes(self.view(), &self.window, &named, out);
         for piece in self.removed() {
             let to = self
                 .removed()
                 .skip_while(|other| *other != piece)
                 .skip(1)
                 .find(|later| later.end == piece.end)
-                .map_or(self.ends[piece.end as usize], |later| later.from);
+                .map_or(self.subject.ends[piece.end as usize], |later| later.from);
             out.push(Mark::Segment { ends: [piece.from, to], role: Role::Rejected, label: None });
         }
-        let role = match self.accepted {
-            None => Role::Active,
-            Some(true) => Role::Accepted,
-            Some(false) => Role::Rejected,
-        };
-        out.push(Mark::Segment { ends: self.ends, role, label: None });
-        for end in End::ALL {
-            let at = self.original[end as usize];
-            out.push(Mark::Point { at, role: Role::Neutral, label: Some(Label::new(end.name(), at)) });
-            if self.moved(end) {
-                let at = self.ends[end as usize];
-                let now = matches!(event, Some(Event::Cut { end: cut, .. }) if *cut == end);
-                let role = match self.accepted {
-                    _ if now => Role::Active,
-                    Some(true) => Role::Accepted,
-                    Some(false) => Role::Rejected,
-                    None => Role::Neutral,
-                };
-                let label = Label::new(self.name(end), at);
-                out.push(Mark::Point { at, role, label: Some(label) });
-            }
-        }
+        self.subject.draw_rest(self.right, out);
+        self.subject.draw_ends(now, self.right, out);
     }
 
     fn view(&self) -> View {
-        view(self.original, &self.window)
+        view(self.subject.original, &self.window)
     }
 
     fn facts(&self, out: &mut Vec<Fact>) {
-        facts(self.accepted, self.ends, out);
+        self.subject.facts(out);
     }
 }
 
 impl Snapshot {
-    /// The code of each of the nine regions, at its upper left corner; those that hold an end
-    /// stand out.
-    fn region_codes(&self, out: &mut Vec<Mark>) {
-        let View { min, max, .. } = self.view();
-        let Window { xmin, ymin, xmax, ymax } = self.window;
-        for (y, vertical) in [(max[1], 0b1000), (ymax, 0), (ymin, 0b0100)] {
-            for (x, horizontal) in [(min[0], 0b0001), (xmin, 0), (xmax, 0b0010)] {
-                let code = Outcode(vertical | horizontal);
-                let here = End::ALL.into_iter().filter(|&end| self.codes[end as usize] == Some(code));
-                let here: Vec<_> = here.map(|end| self.name(end)).collect();
-                out.push(Mark::Text {
-                    at: [x, y],
-                    role: if here.is_empty() { Role::Candidate } else { Role::Neutral },
-                    label: Label::new(
-                        code.to_string(),
-                        (!here.is_empty()).then(|| Value::text(here.join(", "))),
-                    ),
-                    big: true,
-                });
-            }
-        }
-        // What the four bits mean, under the first code.
-        let label = Label::new("", Value::Word("cohen-sutherland-legend"));
-        out.push(Mark::Text { at: [min[0], max[1]], label, role: Role::Candidate, big: false });
+    /// A border that both ends lie beyond.
+    fn shared(&self) -> Option<Border> {
+        let [c1, c2] = self.codes.map(Option::unwrap_or_default);
+        Outcode(c1.0 & c2.0).first()
     }
 }

@@ -1,6 +1,6 @@
 //! The arithmetics in which the text of the algorithm runs.
 
-use super::super::{Border, End, Outcode, Point, Segment, Window, crossings::Crossings};
+use super::super::{Border, End, Mistake, Mistakes, Outcode, Point, Segment, Window, crossings::Crossings};
 use crate::math::{Real, Tally};
 
 /// The two ends while they are being cut.
@@ -76,15 +76,18 @@ pub(super) struct Taught<R> {
     window: [R; 4],
     /// The same borders, by name.
     at: Window,
+    /// From which end a cut is computed.
+    from: End,
 }
 
 impl<R: Real> Taught<R> {
-    pub(super) fn new(segment: Segment, window: &Window) -> Self {
+    pub(super) fn new(segment: Segment, window: &Window, mistakes: Mistakes) -> Self {
         let Window { xmin, ymin, xmax, ymax } = *window;
         Self {
             ends: segment.map(|p| p.map(R::from_f32)),
             window: [xmin, ymin, xmax, ymax].map(R::from_f32),
             at: *window,
+            from: if mistakes.has(Mistake::OtherOrder) { End::P2 } else { End::P1 },
         }
     }
 }
@@ -100,7 +103,7 @@ impl<R: Real> Form for Taught<R> {
         let end = End::beyond(border, codes);
         let (fixed, free) = (border.axis(), 1 - border.axis());
         let c = R::from_f32(self.at.at(border));
-        let [p1, p2] = self.ends;
+        let [p1, p2] = [self.from, self.from.other()].map(|end| self.ends[end as usize]);
         let t = (c - p1[fixed]) / (p2[fixed] - p1[fixed]);
         let moved = &mut self.ends[end as usize];
         moved[fixed] = c;

@@ -2,59 +2,53 @@
 
 use super::Snapshot;
 use crate::{
-    clip::line::{Border, End, Outcode, Point, along, share},
+    clip::line::{Border, End, Mistake, Point, along, share},
     explain::{Formula, Piece},
-    math::Arithmetic,
-    message::Value,
 };
-
-pub(super) fn bits(code: Outcode) -> Value {
-    Value::Bits { bits: code.0.into(), width: 4 }
-}
-
-/// Two codes joined to a third.
-pub(super) fn joined(general: &'static str, sign: &'static str, [c1, c2, result]: [Outcode; 3]) -> Formula {
-    let numbers = vec![
-        Piece::Number(bits(c1)),
-        Piece::Text(sign),
-        Piece::Number(bits(c2)),
-        Piece::Text(" = "),
-        Piece::Result(bits(result)),
-    ];
-    Formula { general, numbers }
-}
 
 impl Snapshot {
     /// How far along the segment the border lies, and the coordinate there: exact arithmetic over
     /// the original ends, rounded arithmetic over the ends as they stood.
     pub(super) fn cut(&self, border: Border, end: End, to: Point) -> [Formula; 2] {
-        let exact = matches!(self.arithmetic, Arithmetic::Exact | Arithmetic::Fixed8);
-        let mut ends = if exact { self.original } else { self.ends };
+        let exact = self.subject.is_exact();
+        let mut ends = if exact { self.subject.original } else { self.subject.ends };
         if let (false, Some(last)) = (exact, self.removed().next_back()) {
             ends[end as usize] = last.from;
+        }
+        let other = !exact && self.settings.mistakes.has(Mistake::OtherOrder);
+        if other {
+            ends.reverse();
         }
         let (fixed, free) = (border.axis(), 1 - border.axis());
         let [[a1, b1], [a2, b2]] = ends.map(|p| [p[fixed], p[free]]);
         let c = self.window.at(border);
-        let (numbers, t) = share(c, [a1, a2], self.arithmetic);
+        let (numbers, t) = share(c, [a1, a2], self.subject.arithmetic);
         let [b1, b2] = [b1, b2].map(|x| Piece::Number(x.into()));
         let share = Formula {
-            general: match border {
-                Border::Top => "t = (ymax − y1) / (y2 − y1)",
-                Border::Bottom => "t = (ymin − y1) / (y2 − y1)",
-                Border::Right => "t = (xmax − x1) / (x2 − x1)",
-                Border::Left => "t = (xmin − x1) / (x2 − x1)",
+            general: match (border, other) {
+                (Border::Top, false) => "t = (ymax − y1) / (y2 − y1)",
+                (Border::Bottom, false) => "t = (ymin − y1) / (y2 − y1)",
+                (Border::Right, false) => "t = (xmax − x1) / (x2 − x1)",
+                (Border::Left, false) => "t = (xmin − x1) / (x2 − x1)",
+                (Border::Top, true) => "t = (ymax − y2) / (y1 − y2)",
+                (Border::Bottom, true) => "t = (ymin − y2) / (y1 − y2)",
+                (Border::Right, true) => "t = (xmax − x2) / (x1 − x2)",
+                (Border::Left, true) => "t = (xmin − x2) / (x1 − x2)",
             },
             numbers,
         };
         let place = Formula {
-            general: match (fixed, exact, end) {
-                (1, true, _) => "x = x1 + t (x2 − x1)",
-                (_, true, _) => "y = y1 + t (y2 − y1)",
-                (1, _, End::P1) => "x1 ← x1 + t (x2 − x1)",
-                (1, _, End::P2) => "x2 ← x1 + t (x2 − x1)",
-                (_, _, End::P1) => "y1 ← y1 + t (y2 − y1)",
-                (_, _, End::P2) => "y2 ← y1 + t (y2 − y1)",
+            general: match (fixed, exact, end, other) {
+                (1, true, ..) => "x = x1 + t (x2 − x1)",
+                (_, true, ..) => "y = y1 + t (y2 − y1)",
+                (1, _, End::P1, false) => "x1 ← x1 + t (x2 − x1)",
+                (1, _, End::P2, false) => "x2 ← x1 + t (x2 − x1)",
+                (_, _, End::P1, false) => "y1 ← y1 + t (y2 − y1)",
+                (_, _, End::P2, false) => "y2 ← y1 + t (y2 − y1)",
+                (1, _, End::P1, true) => "x1 ← x2 + t (x1 − x2)",
+                (1, _, End::P2, true) => "x2 ← x2 + t (x1 − x2)",
+                (_, _, End::P1, true) => "y1 ← y2 + t (y1 − y2)",
+                (_, _, End::P2, true) => "y2 ← y2 + t (y1 − y2)",
             },
             numbers: along(b1, b2, t, Piece::Result(to[free].into())),
         };

@@ -5,7 +5,11 @@ use super::{
     forms::{Exact, Form, crossing},
 };
 use crate::{
-    clip::line::{Border, End, Segment, Window, facts, view},
+    clip::line::{
+        Border, End, Segment, Window, cohen_sutherland,
+        subject::{Subject, draw_borders, draw_window},
+        view,
+    },
     compare::Fact,
     explain::{Explain, Formula, Label, Level, Mark, Marker, Operations, Role, Row, Table, View},
     math::{Arithmetic, Sign, Tally},
@@ -17,10 +21,9 @@ use crate::{
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
     pub(super) window: Window,
-    pub(super) arithmetic: Arithmetic,
-    pub(super) original: Segment,
-    /// The ends as they stand.
-    ends: Segment,
+    pub(super) subject: Subject,
+    /// In exact arithmetic.
+    right: Option<Segment>,
     /// What the line does at each border, in the order of [`Border::ALL`], once known.
     courses: [Option<Course>; 4],
     /// t0 and t1, not divided.
@@ -29,10 +32,6 @@ pub struct Snapshot {
     now: Option<Border>,
     /// t0 and t1, once divided.
     pub(super) quotients: [Option<f32>; 2],
-    /// Which ends have moved.
-    moved: [bool; 2],
-    /// `Some(true)` accepted, `Some(false)` rejected, `None` still running.
-    accepted: Option<bool>,
 }
 
 impl Snapshot {
@@ -40,15 +39,12 @@ impl Snapshot {
     pub fn new(segment: Segment, window: Window, arithmetic: Arithmetic) -> Self {
         Self {
             window,
-            arithmetic,
-            original: segment,
-            ends: segment,
+            subject: Subject::new(segment, arithmetic),
+            right: cohen_sutherland::clip(segment, &window),
             courses: [None; 4],
             parameters: End::ALL.map(Parameter::Of),
             now: None,
             quotients: [None; 2],
-            moved: [false; 2],
-            accepted: None,
         }
     }
 
@@ -56,20 +52,12 @@ impl Snapshot {
     pub fn result(&self) -> Option<super::Visible> {
         let [t0, t1] = self.quotients;
         let t = [t0.unwrap_or(0.0), t1.unwrap_or(1.0)];
-        (self.accepted == Some(true)).then_some(super::Visible { segment: self.ends, t })
+        self.subject.result().map(|segment| super::Visible { segment, t })
     }
 
     /// How many divisions the listing has done.
     pub fn divisions(&self) -> usize {
         self.quotients.iter().flatten().count()
-    }
-
-    /// The border that cuts off an end, if one does so far.
-    fn cutter(&self, end: End) -> Option<Border> {
-        match self.parameters[end as usize] {
-            Parameter::At(border) => Some(border),
-            Parameter::Of(_) => None,
-        }
     }
 
     /// The parameters of the borders seen so far and of both ends, from the first to the last.
@@ -85,7 +73,7 @@ impl Snapshot {
             .chain([Parameter::Of(End::P2)])
             .collect();
         let mut tally = Tally::default();
-        let mut line = Exact::new(self.original, &self.window, &mut tally);
+        let mut line = Exact::new(self.subject.original, &self.window, &mut tally);
         all.sort_by(|a, b| line.order(*a, *b).cmp(&Sign::Zero));
         all
     }
@@ -106,16 +94,6 @@ pub(super) fn bound(end: End) -> &'static str {
     ["t0", "t1"][end as usize]
 }
 
-impl Course {
-    fn word(self) -> Value {
-        Value::Word(match self {
-            Self::Enters => "liang-barsky-enters",
-            Self::Leaves => "liang-barsky-leaves",
-            Self::Parallel => "liang-barsky-parallel",
-        })
-    }
-}
-
 impl State for Snapshot {
     type Event = Event;
 
@@ -129,16 +107,15 @@ impl State for Snapshot {
             Event::Enter { border, later } if later => self.parameters[0] = Parameter::At(border),
             Event::Leave { border, earlier } if earlier => self.parameters[1] = Parameter::At(border),
             Event::Enter { .. } | Event::Leave { .. } => {}
-            Event::Reject => self.accepted = Some(false),
+            Event::Reject => self.subject.accepted = Some(false),
             Event::Divide { border, end, t } => {
                 self.now = Some(border);
                 self.quotients[end as usize] = Some(t);
             }
             Event::Cut { end, to, .. } => {
-                self.ends[end as usize] = to;
-                self.moved[end as usize] = true;
+                self.subject.move_end(end, to);
             }
-            Event::Accept => (self.accepted, self.now) = (Some(true), None),
+            Event::Accept => (self.subject.accepted, self.now) = (Some(true), None),
         }
     }
 }
@@ -290,8 +267,8 @@ impl Explain for Snapshot {
         let mut rows: Vec<Row> = End::ALL
             .into_iter()
             .map(|end| {
-                let from = self.cutter(end).map_or(["0", "1"][end as usize], alpha);
-                let at = match (self.cutter(end), self.quotients[end as usize]) {
+                let from = self.parameters[end as usize].border().map_or(["0", "1"][end as usize], alpha);
+                let at = match (self.parameters[end as usize].border(), self.quotients[end as usize]) {
                     (None, _) => [0.0_f32, 1.0][end as usize].into(),
                     (Some(_), t) => t.into(),
                 };
@@ -302,60 +279,44 @@ impl Explain for Snapshot {
         rows.push(Row::new("row-liang-barsky-divisions", count));
         let columns = vec!["column-liang-barsky-from", "column-liang-barsky-value"];
         out.push(Table { title: "liang-barsky-part", columns, rows });
+        if !self.subject.is_exact() {
+            out.push(self.subject.comparison(self.right));
+        }
     }
 
     fn marks(&self, event: Option<&Event>, out: &mut Vec<Mark>) {
-        let points = self.window.corners().to_vec();
-        out.push(Mark::Polygon { points, role: Role::Neutral, object: None, label: None });
-        for border in Border::ALL {
-            let active = self.now == Some(border) && self.accepted.is_none();
-            let at = self.window.at(border);
-            let label = Some(Label::new(border.name(), at));
-            let note = (active && event.is_some()).then(|| self.courses[border as usize]).flatten();
-            let note = note.map(|course| {
-                Message::new("liang-barsky-note")
-                    .with("name", Value::text(alpha(border)))
-                    .with("course", course.word())
-            });
-            let role = if active { Role::Active } else { Role::Candidate };
-            out.push(Mark::Guide { axis: border.axis() as u8, at, role, label, note });
-        }
-        let role = match self.accepted {
-            None => Role::Active,
-            Some(true) => Role::Accepted,
-            Some(false) => Role::Rejected,
-        };
-        for end in End::ALL.into_iter().filter(|end| self.moved[*end as usize]) {
-            let ends = [self.original[end as usize], self.ends[end as usize]];
-            out.push(Mark::Segment { ends, role: Role::Rejected, label: None });
-        }
-        out.push(Mark::Segment { ends: self.ends, role, label: None });
+        draw_window(&self.window.corners(), out);
+        let active = self.now.filter(|_| self.subject.accepted.is_none());
+        let course = active.filter(|_| event.is_some()).and_then(|border| self.courses[border as usize]);
+        let note = active.zip(course).map(|(border, course)| {
+            Message::new("liang-barsky-note")
+                .with("name", Value::text(alpha(border)))
+                .with("course", course.word())
+        });
+        draw_borders(&self.window, active, note, out);
+        self.subject.draw_removed(out);
+        self.subject.draw_rest(self.right, out);
         self.crossings(out);
-        for end in End::ALL {
-            let at = self.original[end as usize];
-            out.push(Mark::Point { at, role: Role::Neutral, label: Some(Label::new(end.name(), at)) });
-            if self.moved[end as usize] {
-                let at = self.ends[end as usize];
-                let now = matches!(event, Some(Event::Cut { end: cut, .. }) if *cut == end);
-                let label = Some(Label::new(["P1′", "P2′"][end as usize], at));
-                out.push(Mark::Point { at, role: if now { Role::Active } else { role }, label });
-            }
-        }
+        let now = match event {
+            Some(Event::Cut { end, .. }) => Some(*end),
+            _ => None,
+        };
+        self.subject.draw_ends(now, self.right, out);
     }
 
     fn view(&self) -> View {
-        view(self.original, &self.window)
+        view(self.subject.original, &self.window)
     }
 
     fn facts(&self, out: &mut Vec<Fact>) {
-        facts(self.accepted, self.ends, out);
+        self.subject.facts(out);
     }
 }
 
 impl Snapshot {
     /// What a parameter is to the visible part.
     fn role(&self, parameter: Parameter) -> Option<Role> {
-        let role = if self.accepted == Some(false) { Role::Rejected } else { Role::Accepted };
+        let role = if self.subject.accepted == Some(false) { Role::Rejected } else { Role::Accepted };
         self.parameters.contains(&parameter).then_some(role)
     }
 
@@ -364,15 +325,15 @@ impl Snapshot {
         let View { min, max, .. } = self.view();
         for parameter in self.ordered() {
             let Parameter::At(border) = parameter else { continue };
-            let at = crossing(self.original, &self.window, border);
+            let at = crossing(self.subject.original, &self.window, border);
             let shown = (0..2).all(|axis| (min[axis]..=max[axis]).contains(&at[axis]));
             let replaced = End::ALL
                 .into_iter()
-                .any(|end| self.moved[end as usize] && self.parameters[end as usize] == parameter);
+                .any(|end| self.subject.has_moved(end) && self.parameters[end as usize] == parameter);
             if shown && !replaced {
                 let course = self.courses[border as usize].map_or(Value::None, Course::word);
                 let role = match self.now {
-                    Some(now) if now == border && self.accepted.is_none() => Role::Active,
+                    Some(now) if now == border && self.subject.accepted.is_none() => Role::Active,
                     _ => self.role(parameter).unwrap_or(Role::Candidate),
                 };
                 out.push(Mark::Point { at, role, label: Some(Label::new(alpha(border), course)) });

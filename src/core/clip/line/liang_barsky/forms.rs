@@ -1,49 +1,31 @@
 //! The arithmetics in which the text of the algorithm runs.
 
 use super::{
-    super::{Border, End, Point, Segment, Window, intersection::intersection},
+    super::{
+        Border, End, Point, Segment, Window,
+        intersection::intersection,
+        parametric::{difference, point_at},
+    },
     Course, Parameter,
 };
 use crate::math::{Approx, Dyadic, Real, Sign, Tally, orient2d, rounded_ratio};
 
 /// The line while its parameters are put in order.
 pub(super) trait Form {
+    /// What q / p is kept in.
+    type Quotient: Real;
     /// The sign of p.
-    fn course(&self, border: Border) -> Course;
+    fn course(&mut self, border: Border) -> Course;
     /// Whether q < 0; only asked of a parallel border.
     fn outside(&self, border: Border) -> bool;
     /// The sign of `a - b`, without dividing; no border of them is parallel.
     fn order(&mut self, a: Parameter, b: Parameter) -> Sign;
     /// q / p.
-    fn divide(&mut self, border: Border) -> f32;
+    fn divide(&mut self, border: Border) -> Self::Quotient;
     /// The point at q / p.
-    fn cut(&mut self, border: Border) -> Point;
+    fn cut(&mut self, border: Border, t: Self::Quotient) -> Point;
     /// The segment as it was given.
     fn given(&self) -> Segment;
-}
-
-/// -1 for a border at a minimum, +1 for one at a maximum: the sign of p if the coordinate grows.
-#[inline]
-fn outward(border: Border) -> Sign {
-    match border {
-        Border::Left | Border::Bottom => Sign::Negative,
-        Border::Right | Border::Top => Sign::Positive,
-    }
-}
-
-#[inline]
-fn course(p: Sign) -> Course {
-    match p {
-        Sign::Negative => Course::Enters,
-        Sign::Zero => Course::Parallel,
-        Sign::Positive => Course::Leaves,
-    }
-}
-
-/// The sign of `a - b`, without computing it.
-#[inline]
-fn difference<R: PartialOrd>(a: R, b: R) -> Sign {
-    a.partial_cmp(&b).map_or(Sign::Zero, Sign::from)
 }
 
 /// Decisions and numbers of the exact line.
@@ -67,15 +49,17 @@ impl<'a> Exact<'a> {
 }
 
 impl Form for Exact<'_> {
+    type Quotient = f32;
+
     #[inline]
-    fn course(&self, border: Border) -> Course {
-        course(outward(border) * self.rising(border.axis()))
+    fn course(&mut self, border: Border) -> Course {
+        Course::outward(border.outward() * self.rising(border.axis()))
     }
 
     #[inline]
     fn outside(&self, border: Border) -> bool {
         let [p1, _] = self.segment;
-        outward(border) * difference(p1[border.axis()], self.window.at(border)) == Sign::Positive
+        border.outward() * difference(p1[border.axis()], self.window.at(border)) == Sign::Positive
     }
 
     /// Across the axes, `tx - ty` has the sign of which side of the line the borders' corner is on.
@@ -117,7 +101,7 @@ impl Form for Exact<'_> {
     }
 
     #[inline]
-    fn cut(&mut self, border: Border) -> Point {
+    fn cut(&mut self, border: Border, _: f32) -> Point {
         intersection(self.segment, border, self.window, self.tally)
     }
 
@@ -143,46 +127,38 @@ pub(super) fn crossing(segment: Segment, window: &Window, border: Border) -> Poi
     point_at(segment, q / p)
 }
 
-/// `P1 + t (P2 - P1)`.
-fn point_at<R: Real>(segment: Segment, t: R) -> Point {
-    let [p1, p2] = segment.map(|p| p.map(R::from_f32));
-    [0, 1].map(|axis| (p1[axis] + t * (p2[axis] - p1[axis])).to_f32())
-}
-
 /// As taught, in the rounded arithmetic `R`.
 pub(super) struct Taught<R> {
     segment: Segment,
     /// p and q of each border.
     measured: [[R; 2]; 4],
+    /// Numerator and denominator of each border's t, the denominator positive, once p was looked at.
+    fractions: [[R; 2]; 4],
 }
 
 impl<R: Real> Taught<R> {
     pub(super) fn new(segment: Segment, window: &Window) -> Self {
-        Self { segment, measured: Border::ALL.map(|border| measured(segment, window, border)) }
+        let measured = Border::ALL.map(|border| measured(segment, window, border));
+        Self { segment, measured, fractions: [[R::ZERO, R::ONE]; 4] }
     }
 
-    /// Numerator and denominator, the denominator positive.
     fn fraction(&self, parameter: Parameter) -> [R; 2] {
         match parameter {
             Parameter::Of(End::P1) => [R::ZERO, R::ONE],
             Parameter::Of(End::P2) => [R::ONE, R::ONE],
-            Parameter::At(border) => {
-                let [p, q] = self.measured[border as usize];
-                if p < R::ZERO { [-q, -p] } else { [q, p] }
-            }
+            Parameter::At(border) => self.fractions[border as usize],
         }
-    }
-
-    fn quotient(&self, border: Border) -> R {
-        let [p, q] = self.measured[border as usize];
-        q / p
     }
 }
 
 impl<R: Real> Form for Taught<R> {
-    fn course(&self, border: Border) -> Course {
-        let [p, _] = self.measured[border as usize];
-        course(difference(p, R::ZERO))
+    type Quotient = R;
+
+    fn course(&mut self, border: Border) -> Course {
+        let [p, q] = self.measured[border as usize];
+        let course = Course::outward(difference(p, R::ZERO));
+        self.fractions[border as usize] = if course == Course::Enters { [-q, -p] } else { [q, p] };
+        course
     }
 
     fn outside(&self, border: Border) -> bool {
@@ -195,12 +171,13 @@ impl<R: Real> Form for Taught<R> {
         difference(n1 * d2, n2 * d1)
     }
 
-    fn divide(&mut self, border: Border) -> f32 {
-        self.quotient(border).to_f32()
+    fn divide(&mut self, border: Border) -> R {
+        let [p, q] = self.measured[border as usize];
+        q / p
     }
 
-    fn cut(&mut self, border: Border) -> Point {
-        point_at(self.segment, self.quotient(border))
+    fn cut(&mut self, _: Border, t: R) -> Point {
+        point_at(self.segment, t)
     }
 
     fn given(&self) -> Segment {

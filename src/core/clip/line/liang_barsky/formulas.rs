@@ -12,18 +12,18 @@ impl Snapshot {
     /// p, q and q / p of a border, as the run's arithmetic rounds them; the exact ones to
     /// binary64. The quotient is for the reader: the algorithm has not divided yet.
     pub(super) fn numbers(&self, border: Border) -> [Value; 3] {
-        if self.arithmetic == Arithmetic::F32 {
-            let [p, q] = measured::<f32>(self.original, &self.window, border);
+        if self.subject.arithmetic == Arithmetic::F32 {
+            let [p, q] = measured::<f32>(self.subject.original, &self.window, border);
             [p.into(), q.into(), (p != 0.0).then(|| q / p).into()]
         } else {
-            let [p, q] = measured::<f64>(self.original, &self.window, border);
+            let [p, q] = measured::<f64>(self.subject.original, &self.window, border);
             [p.into(), q.into(), (p != 0.0).then(|| q / p).into()]
         }
     }
 
     /// p and q.
     pub(super) fn measurement(&self, border: Border) -> [Formula; 2] {
-        let [a1, a2] = self.original.map(|p| p[border.axis()]);
+        let [a1, a2] = self.subject.original.map(|p| p[border.axis()]);
         let c = self.window.at(border);
         let [p, q, _] = self.numbers(border);
         let minus = |general, a: f32, b: f32, result| Formula {
@@ -58,11 +58,11 @@ impl Snapshot {
 
     /// Both coordinates of a cut; in exact arithmetic that of the border is assigned.
     pub(super) fn cut(&self, border: Border, end: End, to: Point) -> [Formula; 2] {
-        let assigned = matches!(self.arithmetic, Arithmetic::Exact | Arithmetic::Fixed8);
+        let assigned = self.subject.is_exact();
         let t = self.quotients[end as usize].map_or(Value::None, Value::F32);
         let text = Piece::Text;
         [0, 1].map(|axis| {
-            let [b1, b2] = self.original.map(|p| Piece::Number(p[axis].into()));
+            let [b1, b2] = self.subject.original.map(|p| Piece::Number(p[axis].into()));
             let result = Piece::Result(to[axis].into());
             if assigned && axis == border.axis() {
                 let general = match border {

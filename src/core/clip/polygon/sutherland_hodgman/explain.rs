@@ -19,13 +19,13 @@ impl Explain for Snapshot {
     const LISTING: &'static [&'static str] = &[
         "polygon ← the corners as given",
         "for each side of the window",
-        "  out ← first corner, if it is inside",
+        "  out ← first corner if it is inside",
         "  for each edge s → e of the polygon",
         "    if s and e differ in side",
         "      emit s + t (e − s)",
         "    if e is inside: emit e",
         "  polygon ← out",
-        "drop corners that repeat or do not turn",
+        "drop repeated and straight corners",
         "done",
     ];
 
@@ -271,7 +271,7 @@ impl Snapshot {
     fn corners_table(&self) -> Table {
         let (corners, title) = match (self.side(), self.results.last()) {
             (Some(_), _) => (&self.out, "sutherland-hodgman-out"),
-            (None, Some(result)) if self.polygon.is_empty() => (result, "sutherland-hodgman-result"),
+            (None, Some(result)) if self.polygon.is_empty() => (result, "sutherland-hodgman-polygon"),
             _ => (&self.polygon, "sutherland-hodgman-polygon"),
         };
         let rows = corners.iter().enumerate().map(|(i, corner)| {

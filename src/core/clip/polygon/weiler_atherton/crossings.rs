@@ -102,7 +102,7 @@ impl Crossings {
 
     /// Whether the border behind the crossing at this place around the window is inside the contours.
     fn is_inside_after(&self, place: usize) -> bool {
-        (self.winding % 2 != 0) != (place % 2 == 0)
+        (self.winding % 2 != 0) != place.is_multiple_of(2)
     }
 
     /// Where the part of the border that is inside leads to from a crossing; the corners of the window

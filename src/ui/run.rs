@@ -228,10 +228,13 @@ impl Run {
     }
 }
 
+/// What stands on the timeline: marks and words, with their steps.
+type Timeline = (Vec<(usize, Marker)>, Vec<(usize, Message)>);
+
 fn shown(
     run: &mut dyn Playback,
     [cursor, len]: [usize; 2],
-    (markers, captions): (Vec<(usize, Marker)>, Vec<(usize, Message)>),
+    (markers, captions): Timeline,
     operations: Option<[Operations; 2]>,
     rev: u64,
 ) -> Shown {

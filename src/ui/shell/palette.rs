@@ -56,8 +56,9 @@ fn all(ui: &Ui, face: &Face<'_>, frame: &Frame<'_>) -> Vec<Entry> {
         add(of("ui-palette-lab", face.words.word(lab.name)), Command::Lab(lab.name));
     }
     for entry in comparable(face, frame) {
-        let command = matches!(entry.command, Command::Compare(Some(_))).then_some(entry.command);
-        command.map(|command| add(of("ui-palette-compare", entry.name), command));
+        if matches!(entry.command, Command::Compare(Some(_))) {
+            add(of("ui-palette-compare", entry.name), entry.command);
+        }
     }
     for preset in frame.presets {
         add(of("ui-palette-preset", preset.title.clone()), Command::Preset(preset.name));

@@ -6,7 +6,7 @@ use rasterscope_core::{
     clip::line::{Algorithm, Window, cohen_sutherland, liang_barsky},
     compare::{Changed, Fact, Pair, Setting, Side, Subject, difference, settings, side_b, sorted},
     explain::Level,
-    labs,
+    labs::{self, LabInput},
     math::Arithmetic,
     message::Value,
     raster::FillRule,
@@ -200,31 +200,25 @@ fn inclusive_edges_draw_the_shared_diagonal_twice() {
     assert_eq!((difference.count(), difference.same, difference.ulps()), (19, 30, None));
 }
 
+/// Of the algorithms for polygons this holds for what they cover, not for their corners.
 #[test]
-fn siblings_agree_in_exact_arithmetic() {
+fn algorithms_for_lines_agree_in_exact_arithmetic() {
+    let exact = Setting::Arithmetic(Arithmetic::Exact);
+    let mut compared = 0;
     for (name, scene) in corpus() {
-        let exact = Setting::Arithmetic(Arithmetic::Exact);
-        let mistaken = scene.lab.as_ref().is_some_and(
-            |lab| matches!(&lab.input, labs::LabInput::ClipLine(input) if !input.mistakes.is_empty()),
-        );
-        if mistaken || exact.of(&scene).is_some_and(|own| own != exact) {
+        let line = scene.lab.as_ref().is_some_and(|lab| matches!(lab.input, LabInput::ClipLine(_)));
+        let mistaken = scene.to_json().contains("\"mistake");
+        if !line || mistaken || exact.of(&scene) != Some(exact) {
             continue;
         }
         for setting in settings(&scene) {
             if let Setting::Algorithm(other) = setting {
-                let pair = pair(&scene, setting);
-                let found = pair.difference();
-                // A midpoint may stop one step beside the exact place.
-                let halved = Side::ALL.into_iter().any(|side| pair.run(side).name() == "midpoint");
-                if halved {
-                    assert!(found.only_a.is_empty() && found.only_b.is_empty(), "{name}: {other}");
-                    assert!(found.ulps().unwrap_or(0) <= 1, "{name}: {other}");
-                } else {
-                    assert_eq!(found.count(), 0, "{name}: {other}");
-                }
+                assert_eq!(pair(&scene, setting).difference().count(), 0, "{name}: {other}");
+                compared += 1;
             }
         }
     }
+    assert!(compared > 10, "{compared} pairs");
 }
 
 #[test]

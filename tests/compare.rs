@@ -204,9 +204,11 @@ fn inclusive_edges_draw_the_shared_diagonal_twice() {
 fn siblings_agree_in_exact_arithmetic() {
     for (name, scene) in corpus() {
         let exact = Setting::Arithmetic(Arithmetic::Exact);
-        let mistaken = scene.lab.as_ref().is_some_and(
-            |lab| matches!(&lab.input, labs::LabInput::ClipLine(input) if !input.mistakes.is_empty()),
-        );
+        let mistaken = scene.lab.as_ref().is_some_and(|lab| match &lab.input {
+            labs::LabInput::ClipLine(input) => !input.mistakes.is_empty(),
+            labs::LabInput::ClipPolygon(input) => input.mistake.is_some(),
+            _ => false,
+        });
         if mistaken || exact.of(&scene).is_some_and(|own| own != exact) {
             continue;
         }

@@ -352,8 +352,7 @@ impl<A: Traversal> Explain for Snapshot<A> {
             let spans = self.result().into_iter();
             out.extend(spans.map(|Span { y, begin, end }| Mark::Run {
                 y: y as i32,
-                begin: begin as i32,
-                end: end as i32,
+                columns: [begin as i32, end as i32],
                 role: Role::Accepted,
                 object: Some(0),
             }));

@@ -66,7 +66,11 @@ impl Family for ClipPolygon {
 
     fn named(self, name: &'static str) -> Self {
         let algorithm = Algorithm::ALL.into_iter().find(|algorithm| algorithm.name() == name);
-        Self { algorithm: algorithm.unwrap_or_default(), ..self }
+        let algorithm = algorithm.unwrap_or_default();
+        // Not every algorithm rounds: compared with one that does, the other stays exact.
+        let known = algorithm.arithmetics().contains(&self.arithmetic);
+        let arithmetic = if known { self.arithmetic } else { Arithmetic::default() };
+        Self { algorithm, arithmetic, ..self }
     }
 
     fn name(&self) -> &'static str {

@@ -213,7 +213,15 @@ fn algorithms_for_lines_agree_in_exact_arithmetic() {
         }
         for setting in settings(&scene) {
             if let Setting::Algorithm(other) = setting {
-                assert_eq!(pair(&scene, setting).difference().count(), 0, "{name}: {other}");
+                let pair = pair(&scene, setting);
+                let difference = pair.difference();
+                if [other, scene.lab.as_ref().map_or("", |lab| lab.input.name())].contains(&"midpoint") {
+                    // It stops where neighbouring numbers have no middle.
+                    assert!(difference.only_a.is_empty() && difference.only_b.is_empty(), "{name}: {other}");
+                    assert!(difference.ulps() <= Some(1), "{name}: {other}");
+                } else {
+                    assert_eq!(difference.count(), 0, "{name}: {other}");
+                }
                 compared += 1;
             }
         }

@@ -8,6 +8,8 @@ use rasterscope_core::{
 use rasterscope_figure::words::Words;
 use std::{fmt::Debug, sync::LazyLock};
 
+static WORDS: LazyLock<Words> = LazyLock::new(Words::default);
+
 /// Which listing lines a corpus has reached.
 #[derive(Default)]
 pub(crate) struct Coverage(Vec<bool>);
@@ -100,7 +102,7 @@ fn explains<S: Explain>(state: &S, event: &S::Event) {
     assert!(sentence.id.starts_with(S::PREFIX), "4: {event:?} has no sentence of its own");
     says(&sentence);
     if let Some(label) = S::marker(event).and_then(|marker| marker.label) {
-        says(&Message::new(label));
+        assert!(WORDS.has(label), "4: no words for the marker {label}");
     }
     let (mut tables, mut marks, mut formulas) = (Vec::new(), Vec::new(), Vec::new());
     state.tables(&mut tables);
@@ -121,7 +123,6 @@ fn explains<S: Explain>(state: &S, event: &S::Event) {
 /// The language files have the message, and it gets every value that it uses.
 #[track_caller]
 fn says(message: &Message) {
-    static WORDS: LazyLock<Words> = LazyLock::new(Words::default);
     if let Err(what) = WORDS.try_message(message) {
         panic!("4: {what}");
     }

@@ -58,11 +58,13 @@ fn candidates(scene: &Scene) -> Vec<Setting> {
     let algorithms = input.algorithms();
     let siblings = algorithms.iter().filter(|_| algorithms.len() > 1);
     let all = siblings.map(|name| Setting::Algorithm(name)).chain(input.settings(scene));
-    // An algorithm may lack the arithmetic that its sibling has.
+    // An algorithm may lack the arithmetic or the mistake that its sibling has: then more would differ.
     let possible = |setting: &Setting| {
         let mut other = scene.clone();
         setting.apply(&mut other);
-        other.lab.as_ref().is_some_and(|lab| lab.input.check(&other).is_ok())
+        let checked = other.lab.as_ref().is_some_and(|lab| lab.input.check(&other).is_ok());
+        setting.restore(&mut other, scene);
+        checked && other == *scene
     };
     all.filter(possible).collect()
 }

@@ -194,7 +194,9 @@ macro_rules! families {
             pub fn carried(&self, name: &'static str) -> Option<Self> {
                 match self { $(Self::$family(input) => {
                     let carried = input.clone().named(name);
-                    (carried.name() == name).then(|| carried.into())
+                    // A lab may have a family of its own although its algorithm belongs to this one.
+                    let own = matches!(default_input(name), Some(Self::$family(_)));
+                    (own && carried.name() == name).then(|| carried.into())
                 })* }
             }
 

@@ -9,6 +9,7 @@
 
 mod cells;
 mod explain;
+mod formulas;
 pub(super) mod probe;
 
 pub use explain::Snapshot;

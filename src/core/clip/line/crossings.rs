@@ -66,7 +66,9 @@ impl<'a> Crossings<'a> {
         let values: [_; 4] = from_fn(|i| [x1, x1, y1, y1][i] + products[i] / [dy, dy, dx, dx][i]);
         let low: [_; 4] = from_fn(|i| (values[i] - [ex, ex, ey, ey][i]) as f32);
         let high: [_; 4] = from_fn(|i| (values[i] + [ex, ex, ey, ey][i]) as f32);
-        let along = if (0..4).fold(0, |differing, i| differing | low[i].to_bits() ^ high[i].to_bits()) == 0 {
+        // Which zero it is, the window says.
+        let doubt = |i: usize| low[i].to_bits() ^ high[i].to_bits() | u32::from(low[i] == 0.0);
+        let along = if (0..4).fold(0, |doubts, i| doubts | doubt(i)) == 0 {
             low
         } else {
             tally.exact += 1;
@@ -155,7 +157,7 @@ fn careful_places(segment: &Segment, window: &Window, [low, high]: [[f32; 4]; 2]
         let (axis, c, i) = (border.axis(), window.at(border), border as usize);
         let [a1, a2] = segment.map(|p| p[axis]);
         let crosses = a1 != a2 && (a1 <= c && c <= a2 || a2 <= c && c <= a1);
-        if low[i].to_bits() == high[i].to_bits() || !crosses {
+        if low[i].to_bits() == high[i].to_bits() && low[i] != 0.0 || !crosses {
             return low[i];
         }
         intersection(*segment, border, window, &mut Tally::default())[1 - axis]

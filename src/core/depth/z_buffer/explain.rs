@@ -325,8 +325,10 @@ impl Snapshot {
             return;
         }
         let shows_clear = self.image.depth.codes().len() <= SHOWS_CLEAR;
-        for y in 0..height {
-            for x in 0..width {
+        let View { min, max, .. } = self.view();
+        let seen = |x: u32, axis: usize| (min[axis]..max[axis]).contains(&(x as f32));
+        for y in (0..height).filter(|y| seen(*y, 1)) {
+            for x in (0..width).filter(|x| seen(*x, 0)) {
                 let owned = self.image.owner([x, y]).is_some();
                 if owned || shows_clear {
                     out.push(self.cell([x, y], Role::Neutral));

@@ -7,7 +7,7 @@ use super::{
 use crate::{
     compare::Fact,
     explain::{
-        Explain, Formula, Label, Level, MOST_PIXELS, Mark, Marker, Operations, Piece, Role, Row, Table, View,
+        Explain, Formula, Label, Level, MOST_PIXELS, Mark, Marker, Operations, Role, Row, Table, View,
     },
     math::{Sign, Tally, edge_value},
     message::{Message, Value},
@@ -27,7 +27,7 @@ pub struct Snapshot<A> {
     vertices: [[f32; 2]; 3],
     settings: Settings,
     /// The edges in the order of the bits; `None` if the area is zero.
-    edges: Option<Edges>,
+    pub(super) edges: Option<Edges>,
     cells: Cells,
     /// Centres looked at, drawn, and left out behind the triangle.
     counts: [u32; 3],
@@ -73,7 +73,7 @@ impl<A: Traversal> Snapshot<A> {
     }
 
     /// The value of an edge function at a centre, rounded for show, and its exact sign.
-    fn value(&self, edge: usize, [x, y]: [u16; 2]) -> Option<(f64, Sign)> {
+    pub(super) fn value(&self, edge: usize, [x, y]: [u16; 2]) -> Option<(f64, Sign)> {
         let edge = self.edges.as_ref()?.0[edge];
         let at = centre(x.into(), y.into());
         let sign = edge.side(at, &mut Tally::default());
@@ -255,42 +255,7 @@ impl<A: Traversal> Explain for Snapshot<A> {
     }
 
     fn formulas(&self, event: &Event, out: &mut Vec<Formula>) {
-        let (Event::Test { x, y, keeps_out }, Some(edges)) = (*event, &self.edges) else { return };
-        // The edge that decides: the first that keeps it out, the one it lies on, or the nearest.
-        let at = [x, y];
-        let values = [0, 1, 2].map(|edge| self.value(edge, at).map_or(f64::INFINITY, |(value, _)| value));
-        let nearest = (0..3).min_by(|&a, &b| values[a].total_cmp(&values[b])).unwrap_or_default();
-        let edge = if keeps_out == 0 { nearest } else { (keeps_out.trailing_zeros() as usize).min(2) };
-        let [[ax, ay], [bx, by]] = edges.0[edge].ends;
-        let [px, py] = centre(x.into(), y.into());
-        let number = |value: f32| Piece::Number(value.into());
-        let text = Piece::Text;
-        let numbers = vec![
-            text("= ("),
-            number(bx),
-            text(" − "),
-            number(ax),
-            text(") · ("),
-            number(py),
-            text(" − "),
-            number(ay),
-            text(") − ("),
-            number(by),
-            text(" − "),
-            number(ay),
-            text(") · ("),
-            number(px),
-            text(" − "),
-            number(ax),
-            text(") = "),
-            Piece::Result(values[edge].into()),
-        ];
-        let general = [
-            "E0 = (bx − ax) (y − ay) − (by − ay) (x − ax)",
-            "E1 = (bx − ax) (y − ay) − (by − ay) (x − ax)",
-            "E2 = (bx − ax) (y − ay) − (by − ay) (x − ax)",
-        ][edge];
-        out.push(Formula { general, numbers });
+        out.extend(self.formula(event));
     }
 
     fn tables(&self, out: &mut Vec<Table>) {

@@ -181,9 +181,10 @@ impl Cells {
         let lines = self.lines(canvas, value, cell);
         let font = if role == Role::Active { Font::MonoBold } else { Font::Mono };
         let widest = lines.iter().map(|line| line.chars().count()).max().unwrap_or(0).max(1);
-        let em = crate::text::measure(font, 1.0, "0")[0];
-        let fitting = (cell as f32 - 4.0) / (widest as f32 * em);
-        let size = fitting.min(theme.sizes.canvas);
+        let [em, high] = crate::text::measure(font, 1.0, "0");
+        let wide = (cell as f32 - 4.0) / (widest as f32 * em);
+        let tall = cell as f32 / (lines.len().max(1) as f32 * high.max(1.25));
+        let size = wide.min(tall).min(theme.sizes.canvas);
         if size < theme.sizes.smallest {
             return false;
         }

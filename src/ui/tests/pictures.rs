@@ -17,14 +17,24 @@ fn wear(window: &mut Window, theme: ThemeName) {
 /// Compares the window, at half its size and in six levels a channel: enough to see what is
 /// missing, cut off or in the wrong colour, in some 30 kB. `UPDATE_SNAPSHOTS=1` accepts.
 fn picture(window: &mut Window, name: &str) {
+    accept(&smaller(window, 2), name);
+}
+
+/// The window at a part of its size, in six levels a channel.
+fn smaller(window: &mut Window, part: u32) -> RgbaImage {
     let image = window.render().expect("the CPU painter draws everything");
-    let (width, height) = (image.width() / 2, image.height() / 2);
+    let (width, height) = (image.width() / part, image.height() / part);
     let mut image = imageops::resize(&image, width, height, imageops::FilterType::Triangle);
     image.pixels_mut().for_each(|pixel| pixel.0 = pixel.0.map(|code| code.saturating_add(25) / 51 * 51));
-    image_snapshot(&image, name);
+    image
+}
+
+/// Compares with what was accepted.
+fn accept(image: &RgbaImage, name: &str) {
+    image_snapshot(image, name);
     if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
         let path = format!("{}/tests/snapshots/{name}.png", env!("CARGO_MANIFEST_DIR"));
-        std::fs::write(path, small(&image)).expect("the folder of the pictures can be written");
+        std::fs::write(path, small(image)).expect("the folder of the pictures can be written");
     }
 }
 
@@ -88,4 +98,26 @@ fn narrow_split_view_of_two_algorithms() {
     window.state_mut().app_mut().open_preset("two-sides-corner");
     wear(&mut window, ThemeName::Light);
     picture(&mut window, "split-narrow-light");
+}
+
+/// One below the other and a third in size: enough to see what is empty, cut off or in a wrong colour.
+#[test]
+fn every_lab_in_every_theme() {
+    for lab in rasterscope_core::labs::ALL {
+        let mut window = window_with(lab.name);
+        for _ in 0..4 {
+            window.key_press(Key::ArrowLeft);
+        }
+        window.run();
+        let parts = ThemeName::ALL.map(|theme| {
+            wear(&mut window, theme);
+            smaller(&mut window, 3)
+        });
+        let (width, height) = parts[0].dimensions();
+        let mut sheet = RgbaImage::new(width, height * parts.len() as u32);
+        for (part, row) in parts.iter().zip(0_i64..) {
+            imageops::replace(&mut sheet, part, 0, row * i64::from(height));
+        }
+        accept(&sheet, &format!("lab-{}", lab.name));
+    }
 }

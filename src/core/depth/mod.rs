@@ -177,7 +177,7 @@ impl DepthFormat {
     #[inline]
     pub fn encode(self, z: f32) -> u32 {
         match self.max_code() {
-            None => z.to_bits(),
+            None => (z + 0.0).to_bits(), // no -0: codes are ordered as the depths are
             Some(max) => unorm(z, max),
         }
     }

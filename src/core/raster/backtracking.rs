@@ -5,40 +5,17 @@
 //! lies left of the triangle if an edge that has the inside to its right keeps it out.
 
 use super::{
-    Counts, Settings, Span,
-    traversal::{self, Area, Direction, Event, Run, Traversal, probe::Probe, test},
+    Counts, Span,
+    traversal::{Area, Direction, Event, Run, Traversal, probe::Probe, test},
 };
-use crate::{
-    math::Tally,
-    replay::{Budget, Player},
-    trace::Tracer,
-};
+use crate::trace::Tracer;
 
 /// The way down the triangle, back to its left side in every row.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Backtracking;
-
-/// Covers the pixels whose centres lie inside; see [`cover`](super::cover).
 ///
 /// Cost: three edge functions a centre; each row is walked about twice, from its end to its begin
 /// and back, but never farther than two centres beside the triangle and the rows next to it.
-pub fn fill(
-    vertices: [[f32; 2]; 3],
-    settings: &Settings,
-    tally: &mut Tally,
-    emit: &mut impl FnMut(Span),
-) -> Counts {
-    traversal::fill::<Backtracking>(vertices, settings, tally, emit)
-}
-
-/// [`fill`] as a run that can be scrubbed.
-pub fn play(
-    vertices: [[f32; 2]; 3],
-    settings: Settings,
-    budget: Budget,
-) -> Player<traversal::Snapshot<Backtracking>> {
-    traversal::play(vertices, settings, budget)
-}
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Backtracking;
 
 impl Traversal for Backtracking {
     const NAME: &'static str = "backtracking";

@@ -246,9 +246,11 @@ pub fn cover(
     match algorithm {
         Algorithm::Aabb => aabb::fill(vertices, settings, tally, emit),
         Algorithm::Scanline => scanline::fill(vertices, settings, tally, emit),
-        Algorithm::Backtracking => backtracking::fill(vertices, settings, tally, emit),
-        Algorithm::Zigzag => zigzag::fill(vertices, settings, tally, emit),
-        Algorithm::Tiled => tiled::fill(vertices, settings, tally, emit),
+        Algorithm::Backtracking => {
+            traversal::fill::<backtracking::Backtracking>(vertices, settings, tally, emit)
+        }
+        Algorithm::Zigzag => traversal::fill::<zigzag::Zigzag>(vertices, settings, tally, emit),
+        Algorithm::Tiled => traversal::fill::<tiled::Tiled>(vertices, settings, tally, emit),
         Algorithm::Homogeneous => {
             let vertices = settings.vertices(vertices).map(|[x, y]| [x, y, 1.0]);
             homogeneous::fill(vertices, None, settings, tally, emit)

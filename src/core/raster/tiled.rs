@@ -6,14 +6,10 @@
 //! at the two centres of it that lie nearest to and farthest from an edge, by exact signs.
 
 use super::{
-    Counts, Settings, Span,
-    traversal::{self, Area, Event, Run, Traversal, Verdict, probe::Probe, test},
+    Counts, Span,
+    traversal::{Area, Event, Run, Traversal, Verdict, probe::Probe, test},
 };
-use crate::{
-    math::Tally,
-    replay::{Budget, Player},
-    trace::Tracer,
-};
+use crate::trace::Tracer;
 
 /// Pixels a side of a tile, from coarse to fine.
 pub const SIZES: [u32; 3] = [64, 16, 4];
@@ -22,30 +18,11 @@ pub const SIZES: [u32; 3] = [64, 16, 4];
 const BAND: usize = SIZES[0] as usize;
 
 /// The way over nested tiles.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Tiled;
-
-/// Covers the pixels whose centres lie inside; see [`cover`](super::cover).
 ///
 /// Cost: at most six signs a tile, however large it is; three edge functions for each centre of the
 /// finest tiles that an edge passes through.
-pub fn fill(
-    vertices: [[f32; 2]; 3],
-    settings: &Settings,
-    tally: &mut Tally,
-    emit: &mut impl FnMut(Span),
-) -> Counts {
-    traversal::fill::<Tiled>(vertices, settings, tally, emit)
-}
-
-/// [`fill`] as a run that can be scrubbed.
-pub fn play(
-    vertices: [[f32; 2]; 3],
-    settings: Settings,
-    budget: Budget,
-) -> Player<traversal::Snapshot<Tiled>> {
-    traversal::play(vertices, settings, budget)
-}
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tiled;
 
 impl Traversal for Tiled {
     const NAME: &'static str = "tiled";

@@ -5,39 +5,16 @@
 //! first centre outside, since the row may begin left of the triangle.
 
 use super::{
-    Counts, Settings, Span,
-    traversal::{self, Area, Direction, Event, Run, Traversal, probe::Probe, test},
+    Counts, Span,
+    traversal::{Area, Direction, Event, Run, Traversal, probe::Probe, test},
 };
-use crate::{
-    math::Tally,
-    replay::{Budget, Player},
-    trace::Tracer,
-};
+use crate::trace::Tracer;
 
 /// The way down the triangle that fills to both sides of where it enters a row.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Zigzag;
-
-/// Covers the pixels whose centres lie inside; see [`cover`](super::cover).
 ///
 /// Cost: three edge functions a centre; no centre of a row is looked at twice.
-pub fn fill(
-    vertices: [[f32; 2]; 3],
-    settings: &Settings,
-    tally: &mut Tally,
-    emit: &mut impl FnMut(Span),
-) -> Counts {
-    traversal::fill::<Zigzag>(vertices, settings, tally, emit)
-}
-
-/// [`fill`] as a run that can be scrubbed.
-pub fn play(
-    vertices: [[f32; 2]; 3],
-    settings: Settings,
-    budget: Budget,
-) -> Player<traversal::Snapshot<Zigzag>> {
-    traversal::play(vertices, settings, budget)
-}
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Zigzag;
 
 impl Traversal for Zigzag {
     const NAME: &'static str = "zigzag";

@@ -207,8 +207,13 @@ fn thin(points: &[Pos2]) -> bool {
     area.abs() < 3.0 * longest
 }
 
+/// Whether a polygon turns one way only, and once: a star turns one way too, but goes round twice.
 fn convex(points: &[Pos2]) -> bool {
     let n = points.len();
+    let rises = |i: usize| points[(i + 1) % n].x >= points[i].x;
+    if (0..n).filter(|&i| rises(i) != rises((i + 1) % n)).count() > 2 {
+        return false;
+    }
     let turn = |i: usize| {
         let (a, b, c) = (points[i], points[(i + 1) % n], points[(i + 2) % n]);
         let (u, v) = (b - a, c - b);

@@ -26,7 +26,8 @@ const CLOSE: f32 = 40.0;
 
 /// The height of the strip.
 pub(crate) fn height(face: &Face<'_>) -> f32 {
-    3.0 * face.look.line_height(Text::Label) + 16.0
+    let lines = if face.look.projector() { 4.0 } else { 3.0 };
+    lines * face.look.line_height(Text::Label) + 16.0
 }
 
 /// Shows the strip.

@@ -30,7 +30,9 @@ pub(super) fn readout(
         if drawing.view.grid == Grid::Units {
             let at = plane.point(at).map(|c| (c * 100.0).round() / 100.0);
             let text = face.words.message(&Message::new("ui-readout-point").with("at", at));
-            foot(ui, face, plane.rect, &text, false);
+            // Above the plates of the guides, which stand at the foot.
+            let above = plane.rect.with_max_y(plane.rect.bottom() - 34.0);
+            foot(ui, face, above, &text, false);
         }
         return None;
     }

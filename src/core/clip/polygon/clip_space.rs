@@ -289,7 +289,9 @@ fn run<F: Form, T: Tracer<Event>>(form: &mut F, planes: &[Plane], t: &mut T) -> 
 }
 
 /// One round of Sutherland-Hodgman. A corner exactly on the plane stays what it is; a new one is
-/// made only where the sides differ strictly, so that none occurs twice.
+/// made only where the sides differ strictly, so that none occurs twice. A call of its own: most
+/// triangles never come here.
+#[inline(never)]
 fn cut<F: Form, T: Tracer<Event>>(
     nodes: &Nodes<F::Value>,
     plane: Plane,

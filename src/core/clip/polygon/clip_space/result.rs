@@ -14,6 +14,7 @@ pub struct Polygon<R = ClipSpace> {
 
 impl<R: Region> Polygon<R> {
     /// Rounds the corners. Two that become the same are one, and what has no third corner is empty.
+    #[inline(never)]
     pub(super) fn new<T: Tracer<Event>>(
         triangle: Triangle<R>,
         nodes: &Nodes<()>,

@@ -39,9 +39,10 @@ impl<R: Real> Bound<R> {
         // right end comes after it.
         let past_ties = self.edge.draws_ties == (side == Side::Right);
         let guess = super::first_centre(x, past_ties, settings.size[0]);
-        let (end, tie) = match settings.arithmetic {
-            Arithmetic::Exact | Arithmetic::Fixed8 => self.certify(guess, y, settings.size[0], tally, counts),
-            Arithmetic::F32 | Arithmetic::F64 => (guess, centre_at(x, settings.size[0])),
+        let (end, tie) = if settings.arithmetic.is_exact() {
+            self.certify(guess, y, settings.size[0], tally, counts)
+        } else {
+            (guess, centre_at(x, settings.size[0]))
         };
         t.emit(|| Event::End { side, x: end, corrected: end != guess });
         if let Some(x) = tie {

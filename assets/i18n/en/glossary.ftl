@@ -60,6 +60,7 @@ glossary-transform-space-view = Camera space: seen from the camera, which stands
 glossary-transform-space-clip = Clip space: after the projection and before the division; visible is −w ≤ x ≤ w and −w ≤ y ≤ w.
 glossary-transform-space-screen = Screen space: in pixels, with the depth.
 
+glossary-side-order = In which order the sides of the window cut: L left, R right, B bottom, T top. The covered set is the same; bridges may differ.
 glossary-arithmetic = In which numbers the algorithm calculates: exact and rounded once, or in 32 or 64 bits, rounded at every operation as the textbook code does.
 glossary-snap = Where a dragged point comes to rest.
 glossary-y-axis = Whether row 0 of the image is the highest or the lowest one.

@@ -12,10 +12,10 @@ word-near = near
 word-far = far
 
 mistake-none = none
-word-side-order-left-right-bottom-top = left, right, bottom, top
-word-side-order-bottom-top-left-right = bottom, top, left, right
-word-side-order-top-right-bottom-left = top, right, bottom, left
-word-side-order-left-bottom-right-top = left, bottom, right, top
+word-side-order-left-right-bottom-top = L R B T
+word-side-order-bottom-top-left-right = B T L R
+word-side-order-top-right-bottom-left = T R B L
+word-side-order-left-bottom-right-top = L B R T
 word-space-clip = clip
 word-space-camera = camera
 word-planes-all = all six

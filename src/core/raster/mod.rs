@@ -263,8 +263,12 @@ pub fn rows(
 /// Exact for every f32, infinities included; a NaN gives 0.
 #[inline]
 pub(crate) fn first_centre(coordinate: f64, open: bool, limit: u32) -> u32 {
-    let shifted = coordinate - 0.5;
-    let first = if open { shifted.floor() + 1.0 } else { shifted.ceil() };
-    // `as` saturates, so far off the image is still off the image.
-    (first as u32).min(limit)
+    let limit = i64::from(limit);
+    // Without a call where the processor has no instruction for floor and ceil.
+    let shifted = (coordinate - 0.5).clamp(-1.0, limit as f64 + 1.0);
+    let toward_zero = shifted as i64;
+    let back = toward_zero as f64;
+    let first =
+        if open { toward_zero + i64::from(back <= shifted) } else { toward_zero + i64::from(back < shifted) };
+    first.clamp(0, limit) as u32
 }

@@ -26,6 +26,7 @@ mod pipeline;
 mod point_clipping;
 mod polygon_presets;
 mod presets;
+mod raster_presets;
 mod render;
 mod replay;
 mod scanline;

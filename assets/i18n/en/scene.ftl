@@ -329,6 +329,81 @@ preset-span-flat-top = A horizontal edge lies on the line of pixel centres. A to
 preset-span-flat-bottom-name = Flat bottom on a centre row
 preset-span-flat-bottom = A horizontal edge lies on the line of pixel centres. A bottom edge does not draw that row.
 
+preset-box-half-wasted-name = About half is wasted
+preset-box-half-wasted = A triangle fills half of its box. The other half of the centres is tested for nothing, unless a row is left early.
+
+preset-box-sliver-name = Sliver: nearly all is wasted
+preset-box-sliver = A thin triangle along the diagonal has the box of a fat one. Nearly every test keeps its centre out.
+
+preset-box-ties-name = Ties on all three edges
+preset-box-ties = Every edge runs through pixel centres. The left and the top edge draw them, the slanted edge does not.
+
+preset-box-mirrored-name = Turned the other way
+preset-box-mirrored = The same corners in the other turning sense. The edges are turned round, so that the inside stays positive: the same pixels.
+
+preset-box-huge-name = Corners far off the screen
+preset-box-huge = Coordinates of 10³⁰ pixels. The box is cut to the image, and the signs are still exact.
+
+preset-box-zero-area-name = Three corners on one line
+preset-box-zero-area = Many centres lie exactly on the line. Still nothing is drawn: a triangle without area has no inside.
+
+preset-back-to-the-left-name = Back, then fill
+preset-back-to-the-left = In each row the walk goes left until the triangle lies to the right, then fills up to the other side.
+
+preset-back-leaning-left-name = Leaning left: back is long
+preset-back-leaning-left = The row above ends far to the right of where the next begins. Each row is walked nearly twice.
+
+preset-back-leaning-right-name = Leaning right: back is short
+preset-back-leaning-right = The row above ends near the begin of the next. Hardly any centre is tested twice.
+
+preset-back-needle-name = Needle: no centre inside
+preset-back-needle = The needle passes between all centres. Every row is walked, and nothing is drawn.
+
+preset-back-flat-top-name = Flat top on centres
+preset-back-flat-top = Two corners are highest; the walk begins at the first. The whole top row are ties, and a top edge draws them.
+
+preset-back-apex-outside-name = Apex outside the image
+preset-back-apex-outside = The highest corner lies above and left of the image. The walk begins at the border, where the image begins.
+
+preset-zigzag-both-sides-name = To both sides
+preset-zigzag-both-sides = Each row is entered below the middle of the row above: first to the left, then to the right. No centre is tested twice.
+
+preset-zigzag-leaning-left-name = Leaning left
+preset-zigzag-leaning-left = Where backtracking walks a row nearly twice, zigzag tests each centre once.
+
+preset-zigzag-shallow-name = Shallow: the start is outside
+preset-zigzag-shallow = The next row begins beside the triangle. The walk must not stop at the first centre outside.
+
+preset-zigzag-tie-name = One tie on a left edge
+preset-zigzag-tie = In row 4 the left edge runs exactly through a pixel centre. It is drawn, and the walk goes on to the left.
+
+preset-zigzag-point-up-and-down-name = Apex on a centre
+preset-zigzag-point-up-and-down = The highest corner is a pixel centre. It lies on two edges at once: one of them does not draw it.
+
+preset-zigzag-against-backtracking-name = Split: two ways
+preset-zigzag-against-backtracking = The same triangle both ways. The pixels are the same; the numbers of tests are not.
+
+preset-tiles-nested-name = Squares of 64, 16 and 4
+preset-tiles-nested = Whole squares are left out or drawn at once. Only along the edges squares are split, down to single centres.
+
+preset-tiles-inside-name = Whole tiles inside
+preset-tiles-inside = The worst centre of a tile lies inside all edges: its sixteen pixels are drawn without a test of their own.
+
+preset-tiles-outside-name = Whole tiles outside
+preset-tiles-outside = Most tiles of the box lie outside one edge. Two corners of a tile settle sixteen centres, or 256.
+
+preset-tiles-small-name = Too small for tiles
+preset-tiles-small = The triangle lies in one tile of 4 × 4. The two larger tiles around it are looked at for nothing.
+
+preset-tiles-tie-name = A tie decides a whole tile
+preset-tiles-tie = The left edge runs through the first centres of two tiles. A left edge draws its ties, so both are drawn whole; a right edge would split them.
+
+preset-tiles-huge-name = The image is inside
+preset-tiles-huge = The triangle covers all of the image. One look at one tile of 64 × 64 draws 768 pixels.
+
+preset-tiles-against-box-name = Split: tiles against the box
+preset-tiles-against-box = A long thin triangle. The tiles look at few centres, the box at all of them.
+
 preset-depth-two-triangles-name = B over A: smaller depth wins
 preset-depth-two-triangles = A and B overlap, and neither is nearer everywhere. Each pixel compares two codes.
 

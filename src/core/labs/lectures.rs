@@ -75,6 +75,10 @@ const TOPICS: &[(&str, &[Topic])] = &[
     ("frustum-culling", &[at(TUZLA, "Culling"), at(SLOVENE, "Izločanje predmetov izven prostora pogleda")]),
     ("bvh", &[at(SLOVENE, "Izločanje predmetov izven prostora pogleda")]),
     ("scanline", &[at(TUZLA, "Rasterizacija trougla"), at(RUSSIAN, "«Стандартный» алгоритм")]),
+    ("aabb", &[at(RUSSIAN, "AABB-алгоритм"), at(SLOVENE, "Rasterizacija")]),
+    ("backtracking", &[at(RUSSIAN, "Backtracking-алгоритм")]),
+    ("zigzag", &[at(RUSSIAN, "Zigzag-алгоритм")]),
+    ("tiled", &[at(SLOVENE, "Rasterizacija")]),
     (
         "z-buffer",
         &[

@@ -13,10 +13,10 @@ mod clip_plane;
 mod clip_point;
 mod clip_polygon;
 mod clip_triangle;
+mod fill_triangle;
 mod frustum_culling;
 mod lectures;
 mod pipeline;
-mod scanline;
 mod transform;
 mod z_buffer;
 
@@ -30,9 +30,9 @@ pub use self::{
     clip_point::ClipPoint,
     clip_polygon::ClipPolygon,
     clip_triangle::{ClipTriangle, Planes},
+    fill_triangle::FillTriangle,
     frustum_culling::FrustumCulling,
     pipeline::Pipeline,
-    scanline::Scanline,
     transform::Transform,
     z_buffer::ZBuffer,
 };
@@ -107,7 +107,11 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<ClipTriangle>("clip-triangle", Stage::Clip),
     LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
     LabInfo::new::<ClipPolygon>("weiler-atherton", Stage::Clip),
-    LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
+    LabInfo::new::<FillTriangle>("scanline", Stage::ScanConversion),
+    LabInfo::new::<FillTriangle>("aabb", Stage::ScanConversion),
+    LabInfo::new::<FillTriangle>("backtracking", Stage::ScanConversion),
+    LabInfo::new::<FillTriangle>("zigzag", Stage::ScanConversion),
+    LabInfo::new::<FillTriangle>("tiled", Stage::ScanConversion),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
 ];
 
@@ -254,8 +258,8 @@ families! {
     ClipConvex
     /// Polygons against a window.
     ClipPolygon
-    /// One triangle, row by row.
-    Scanline
+    /// One triangle and its pixels.
+    FillTriangle
     /// Triangles, fragment by fragment.
     ZBuffer
     /// One vertex through all the spaces.

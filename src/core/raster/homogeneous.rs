@@ -70,11 +70,9 @@ pub fn fill_traced<T: Tracer<Event>>(
     let form = Form { vertices, near, turned, ties };
     let counts = match settings.arithmetic {
         _ if area.is_empty() => Counts::default(),
-        Arithmetic::Exact | Arithmetic::Fixed8 => {
-            Aabb::walk(&area, &mut Exact::new(form, settings.size[0], tally), t, emit)
-        }
         Arithmetic::F32 => Aabb::walk(&area, &mut Taught::<f32>::new(form), t, emit),
         Arithmetic::F64 => Aabb::walk(&area, &mut Taught::<f64>::new(form), t, emit),
+        _ => Aabb::walk(&area, &mut Exact::new(form, settings.size[0], tally), t, emit),
     };
     t.emit(|| Event::Done);
     counts

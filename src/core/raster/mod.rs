@@ -149,7 +149,7 @@ pub struct Settings {
     pub fill_rule: FillRule,
     /// Which way the vertices' y and the rows grow.
     pub y_axis: YAxis,
-    /// What edges are computed in. `Fixed8` snaps the vertices to 1/256 pixel, then is exact.
+    /// What edges are computed in. Fixed point snaps the vertices, then is exact.
     pub arithmetic: Arithmetic,
     /// The skip `row`: leave a row after its last pixel. Changes nothing but the count.
     pub skip_row: bool,
@@ -169,22 +169,8 @@ impl Settings {
 
     /// The vertices that are rasterized: as given, or snapped by fixed point.
     pub fn vertices(&self, vertices: [[f32; 2]; 3]) -> [[f32; 2]; 3] {
-        match self.arithmetic {
-            Arithmetic::Fixed8 => vertices.map(|vertex| vertex.map(snap)),
-            Arithmetic::Exact | Arithmetic::F32 | Arithmetic::F64 => vertices,
-        }
+        vertices.map(|vertex| vertex.map(|coordinate| self.arithmetic.snap(coordinate)))
     }
-}
-
-/// The nearest multiple of 1/256, ties to even; exact, since every f32 from 2^16 on is one.
-///
-/// Valid for all finite coordinates. Zero is always 0.0.
-pub fn snap(coordinate: f32) -> f32 {
-    const STEPS: f32 = 256.0;
-    if coordinate.abs() >= 65536.0 {
-        return coordinate;
-    }
-    (coordinate * STEPS).round_ties_even() / STEPS + 0.0
 }
 
 /// Pixels `begin..end` of a row; never empty.

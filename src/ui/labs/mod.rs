@@ -3,7 +3,9 @@
 //! A lab says what of the document can be dragged and chosen. Running, stepping, listing,
 //! inspector and painting are the shell's, the same for all.
 
+mod aabb;
 mod back_face;
+mod backtracking;
 mod bvh;
 mod clip_line;
 mod clip_plane;
@@ -11,6 +13,7 @@ mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
 mod cyrus_beck;
+mod fill_triangle;
 mod frustum_culling;
 mod liang_barsky;
 mod midpoint;
@@ -21,10 +24,12 @@ mod placing;
 mod point_clipping;
 mod scanline;
 mod sutherland_hodgman;
+mod tiled;
 mod transform;
 mod weiler_atherton;
 mod window;
 mod z_buffer;
+mod zigzag;
 
 use crate::{
     document::{Document, ViewState},
@@ -148,7 +153,11 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(clip_triangle::ClipTriangle),
         Box::new(sutherland_hodgman::LAB),
         Box::new(weiler_atherton::LAB),
-        Box::new(scanline::Scanline),
+        Box::new(scanline::LAB),
+        Box::new(aabb::LAB),
+        Box::new(backtracking::LAB),
+        Box::new(zigzag::LAB),
+        Box::new(tiled::LAB),
         Box::new(z_buffer::ZBuffer),
     ]
 }

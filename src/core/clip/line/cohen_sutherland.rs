@@ -135,9 +135,9 @@ pub fn clip_traced<T: Tracer<Event>>(
 ) -> Option<Segment> {
     let Settings { arithmetic, mistakes } = settings.into();
     match arithmetic {
-        Arithmetic::Exact | Arithmetic::Fixed8 => run(Exact::new(&segment, window, tally), mistakes, t),
         Arithmetic::F32 => clip_taught::<f32, T>(segment, window, mistakes, t),
         Arithmetic::F64 => clip_taught::<f64, T>(segment, window, mistakes, t),
+        _ => run(Exact::new(&segment, window, tally), mistakes, t),
     }
 }
 

@@ -267,11 +267,11 @@ pub fn clip_traced<T: Tracer<Event>>(
         let (given, sides) = (Given::one(points, window), sides.iter().copied());
         let mut buffers = Buffers::default();
         match settings.arithmetic {
-            Arithmetic::Exact | Arithmetic::Fixed8 => {
-                run(&mut Exact::new(given, tally), sides, &mut buffers, t);
-            }
             Arithmetic::F32 => run(&mut Taught::<f32>::new(given, inner_first), sides, &mut buffers, t),
             Arithmetic::F64 => run(&mut Taught::<f64>::new(given, inner_first), sides, &mut buffers, t),
+            _ => {
+                run(&mut Exact::new(given, tally), sides, &mut buffers, t);
+            }
         }
         results.push(buffers.polygon);
     }

@@ -45,20 +45,19 @@ impl<R: Real> Bound<R> {
         let past_ties = self.edge.draws_ties == (side == Side::Right);
         let width = settings.size[0];
         let guess = super::first_centre(x, past_ties, width);
-        let (end, tie) = match settings.arithmetic {
-            Arithmetic::Exact | Arithmetic::Fixed8 => {
-                let signs = u64::from(guess > 0) + u64::from(guess < width);
-                // The centre before lies before the crossing, that of the end behind it, beyond any doubt.
-                let after = f64::from(guess) + 0.5;
-                if (guess == 0 || x - (after - 1.0) > error) && (guess == width || after - x > error) {
-                    tally.calls += signs;
-                    counts.tested += signs;
-                    (guess, None)
-                } else {
-                    self.certify(guess, y, width, tally, counts)
-                }
+        let (end, tie) = if settings.arithmetic.is_exact() {
+            let signs = u64::from(guess > 0) + u64::from(guess < width);
+            // The centre before lies before the crossing, that of the end behind it, beyond any doubt.
+            let after = f64::from(guess) + 0.5;
+            if (guess == 0 || x - (after - 1.0) > error) && (guess == width || after - x > error) {
+                tally.calls += signs;
+                counts.tested += signs;
+                (guess, None)
+            } else {
+                self.certify(guess, y, width, tally, counts)
             }
-            Arithmetic::F32 | Arithmetic::F64 => (guess, centre_at(x, width)),
+        } else {
+            (guess, centre_at(x, width))
         };
         t.emit(|| Event::End { side, x: end, corrected: end != guess });
         if let Some(x) = tie {

@@ -6,9 +6,9 @@
 //! the window, with that border's bits: -0 stays -0). So the answer depends on
 //! the line and the border alone: not on the order of the ends, nor on the algorithm.
 
+mod at_once;
 pub mod cohen_sutherland;
 mod convex;
-mod crossings;
 pub mod cyrus_beck;
 pub(in crate::clip) mod intersection;
 pub mod liang_barsky;

@@ -1,9 +1,9 @@
-//! All decisions about a line at once: what the fast calls of this stage are.
+//! All decisions about a line at once: the fast call of this stage.
 //!
-//! The taught texts take one decision after the other, and what no processor can foresee costs more than
-//! all the arithmetic. But the answer depends on the line and the window alone, not on who finds it. So
-//! where nobody watches, no branch depends on where a line lies, except where nothing is left to cut, or
-//! where binary64 does not decide. The laws compare the texts' answers with these, bit for bit.
+//! The taught algorithms take one decision after the other, and what no processor can foresee costs more
+//! than all the arithmetic. But the answer depends on the line and the window alone, not on who finds it.
+//! So here no branch depends on where a line lies, except where nothing is left to cut, or where binary64
+//! does not decide. The taught algorithms answer the same, bit for bit.
 //!
 //! *What is visible.* Once neither both ends lie beyond one border nor both inside, something is visible
 //! if and only if the window's corners are not all strictly on one side of the line: four orientations
@@ -20,7 +20,7 @@
 //! test. The table is ours.
 
 use super::{
-    Border, Segment, Window,
+    Border, Kept, Segment, Window,
     intersection::{ERROR, intersection},
 };
 use crate::math::{Sign, Tally, orient2d, predicates::ORIENT2D_FILTER};
@@ -29,11 +29,11 @@ use wide::{f32x4, f64x4};
 
 /// An answer without a branch: [`visible`](Self::visible) says whether the segment means anything.
 #[derive(Clone, Copy)]
-pub(super) struct Part {
+struct Part {
     /// The ends, in the order given.
-    pub(super) segment: Segment,
+    segment: Segment,
     /// Whether something is visible.
-    pub(super) visible: bool,
+    visible: bool,
 }
 
 impl From<Part> for Option<Segment> {
@@ -51,9 +51,42 @@ impl From<Part> for Option<Segment> {
 /// Keeps the bound above zero: no crossing at zero is certain, because its sign is to be looked at.
 const TINY: f64 = 1e-290;
 
-/// The visible part of a segment of finite coordinates, exactly as every algorithm here answers.
+/// Clips a segment of finite coordinates against a window: `None` if no point of it is inside.
+///
+/// The answer is exact, and that of every algorithm of this stage. A segment of length zero is a point.
+/// Costs two comparisons of four lanes if it is wholly inside or beyond one border, else four
+/// orientations and four quotients at once, about 8 ns.
+///
+/// Inlined: where there is nothing to cut, a call would cost more than the rest.
 #[inline(always)]
-pub(super) fn clip(segment: &Segment, window: &Window) -> Part {
+pub fn clip(segment: Segment, window: &Window) -> Option<Segment> {
+    part(&segment, window).into()
+}
+
+/// [`clip`] for each of many segments: appends what is visible of them, in order, with their indices.
+///
+/// Allocates only if `kept` has no room for all of them.
+pub fn clip_all(segments: &[Segment], window: &Window, kept: &mut Vec<Kept>) {
+    const ROOM: usize = 64;
+    kept.reserve(segments.len());
+    // Whether a segment is kept decides how far the next one is written, not whether to jump.
+    let mut room = [Kept { index: 0, segment: [[0.0; 2]; 2] }; ROOM];
+    let mut index = 0;
+    for some in segments.chunks(ROOM) {
+        let mut count = 0;
+        for given in some {
+            let Part { segment, visible } = part(given, window);
+            room[count % ROOM] = Kept { index, segment };
+            count += usize::from(visible);
+            index += 1;
+        }
+        kept.extend_from_slice(&room[..count]);
+    }
+}
+
+/// The visible part of a segment of finite coordinates.
+#[inline(always)]
+fn part(segment: &Segment, window: &Window) -> Part {
     let [[x1, y1], [x2, y2]] = *segment;
     let Window { xmin, ymin, xmax, ymax } = *window;
     let ends = f32x4::new([x1, y1, x2, y2]);

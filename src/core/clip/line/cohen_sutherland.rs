@@ -3,8 +3,7 @@
 //! *Source:* Newman and Sproull, Principles of Interactive Computer Graphics, 2nd ed. 1979,
 //! section 5-1; Foley et al., Computer Graphics: Principles and Practice, 2nd ed., section 3.12.3.
 //! Deviations: the first differing bit is cut first; in exact arithmetic codes and cuts come from
-//! the original ends, so that nothing accumulates and the loop cannot run on. Where nobody watches,
-//! codes and cuts are taken all at once.
+//! the original ends, so that nothing accumulates and the loop cannot run on.
 
 mod explain;
 mod forms;
@@ -12,14 +11,11 @@ mod formulas;
 
 pub use explain::Snapshot;
 
-use super::{
-    Border, End, Kept, Mistake, Mistakes, Outcode, Point, Segment, Window,
-    at_once::{self, Part},
-};
+use super::{Border, End, Mistake, Mistakes, Outcode, Point, Segment, Window};
 use crate::{
     math::{Arithmetic, Real, Tally},
     replay::{Budget, Player},
-    trace::Tracer,
+    trace::{NoTrace, Tracer},
 };
 use forms::{Exact, Form, Taught};
 use serde::Serialize;
@@ -94,34 +90,10 @@ const _: () = assert!(size_of::<Event>() <= 16);
 /// Clips a segment of finite coordinates against a window: `None` if no point of it is inside.
 ///
 /// The answer is exact: decided by exact signs, each cut coordinate correctly rounded. A segment
-/// of length zero is a point. Costs two comparisons of four lanes if it is wholly inside or beyond
-/// one border, else four orientations and four quotients at once, about 8 ns.
-///
-/// Inlined: where there is nothing to cut, a call would cost more than the rest.
-#[inline(always)]
+/// of length zero is a point. This is the text that [`play`] plays, without a tracer;
+/// [`line::clip`](super::clip) answers the same at once.
 pub fn clip(segment: Segment, window: &Window) -> Option<Segment> {
-    at_once::clip(&segment, window).into()
-}
-
-/// [`clip`] for each of many segments: appends what is visible of them, in order, with their indices.
-///
-/// Allocates only if `kept` has no room for all of them.
-pub fn clip_all(segments: &[Segment], window: &Window, kept: &mut Vec<Kept>) {
-    const ROOM: usize = 64;
-    kept.reserve(segments.len());
-    // Whether a segment is kept decides how far the next one is written, not whether to jump.
-    let mut room = [Kept { index: 0, segment: [[0.0; 2]; 2] }; ROOM];
-    let mut index = 0;
-    for some in segments.chunks(ROOM) {
-        let mut count = 0;
-        for given in some {
-            let Part { segment, visible } = at_once::clip(given, window);
-            room[count % ROOM] = Kept { index, segment };
-            count += usize::from(visible);
-            index += 1;
-        }
-        kept.extend_from_slice(&room[..count]);
-    }
+    clip_traced(segment, window, Settings::default(), &mut Tally::default(), &mut NoTrace)
 }
 
 /// [`clip`] in any arithmetic as a run that can be scrubbed.
@@ -137,7 +109,7 @@ pub fn play(
     })
 }
 
-/// The algorithm as it is taught, decision by decision: what [`play`] plays.
+/// The algorithm: [`clip`] and [`play`] are this with two tracers.
 ///
 /// `F32` and `F64` compute as the lecture prints it, from the ends as they stand, and may answer
 /// wrongly or with coordinates that are not finite: showing that is what they are for. Fixed point

@@ -16,11 +16,11 @@ mod formulas;
 pub use super::{Course, Parameter, Visible};
 pub use explain::Snapshot;
 
-use super::{Border, End, Point, Segment, Window, at_once};
+use super::{Border, End, Point, Segment, Window};
 use crate::{
     math::{Arithmetic, Real, Sign, Tally},
     replay::{Budget, Player},
-    trace::Tracer,
+    trace::{NoTrace, Tracer},
 };
 use forms::{Exact, Form, Taught};
 use serde::Serialize;
@@ -91,11 +91,11 @@ const _: () = assert!(size_of::<Event>() <= 16);
 /// Clips a segment of finite coordinates against a window: `None` if no point of it is inside.
 ///
 /// The answer is exact, and bit for bit that of [`cohen_sutherland`](super::cohen_sutherland). A
-/// segment of length zero is a point. Costs what that one costs: nobody asks for t here, and without it
-/// all is decided at once. [`clip_traced`] finds t, too.
-#[inline(always)]
+/// segment of length zero is a point. Costs at most five orientations, and for each cut two
+/// quotients; none if nothing is visible.
 pub fn clip(segment: Segment, window: &Window) -> Option<Segment> {
-    at_once::clip(&segment, window).into()
+    clip_traced(segment, window, Arithmetic::Exact, &mut Tally::default(), &mut NoTrace)
+        .map(|visible| visible.segment)
 }
 
 /// [`clip`] in any arithmetic as a run that can be scrubbed.
@@ -105,8 +105,7 @@ pub fn play(segment: Segment, window: Window, arithmetic: Arithmetic, budget: Bu
     })
 }
 
-/// The algorithm as it is taught, decision by decision: what [`play`] plays. In exact arithmetic it
-/// costs at most five orientations, and for each cut two quotients; none if nothing is visible.
+/// The algorithm: [`clip`] and [`play`] are this with two tracers.
 ///
 /// `F32` and `F64` round p, q, their products and t, and compute both coordinates of a cut from t,
 /// as the paper does; they may answer wrongly or with numbers that are not finite: showing that is

@@ -19,6 +19,7 @@ pub mod nicholl_lee_nicholl;
 mod parametric;
 pub(in crate::clip) mod subject;
 
+pub use at_once::{clip, clip_all};
 pub use convex::{ConvexWindow, Flaw};
 pub use mistake::{Mistake, Mistakes};
 pub use parametric::{Course, Parameter, Quotient, Visible};

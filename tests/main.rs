@@ -19,6 +19,7 @@ mod frustum_culling;
 mod house;
 mod interpolate;
 mod liang_barsky;
+mod meshes;
 mod midpoint;
 mod nicholl_lee_nicholl;
 mod obj;

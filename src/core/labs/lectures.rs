@@ -75,6 +75,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
     ("frustum-culling", &[at(TUZLA, "Culling"), at(SLOVENE, "Izločanje predmetov izven prostora pogleda")]),
     ("bvh", &[at(SLOVENE, "Izločanje predmetov izven prostora pogleda")]),
     ("scanline", &[at(TUZLA, "Rasterizacija trougla"), at(RUSSIAN, "«Стандартный» алгоритм")]),
+    ("stencil", &[at(SLOVENE, "Test šablone")]),
     (
         "z-buffer",
         &[
@@ -84,6 +85,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
             at(SLOVENE, "Test globine"),
         ],
     ),
+    ("blend", &[at(SLOVENE, "Mešanje")]),
 ];
 
 impl LabInfo {

@@ -6,6 +6,7 @@
 //! a line in [`ALL`], and for a new family a line in [`LabInput`].
 
 mod back_face;
+mod blend;
 mod bvh;
 mod clip_convex;
 mod clip_line;
@@ -17,12 +18,14 @@ mod frustum_culling;
 mod lectures;
 mod pipeline;
 mod scanline;
+mod stencil;
 mod transform;
 mod z_buffer;
 
 pub use self::lectures::Topic;
 pub use self::{
     back_face::BackFace,
+    blend::{Blend, Layer},
     bvh::{Bvh, Over},
     clip_convex::ClipConvex,
     clip_line::ClipLine,
@@ -33,6 +36,7 @@ pub use self::{
     frustum_culling::FrustumCulling,
     pipeline::Pipeline,
     scanline::Scanline,
+    stencil::{Order, Stencil},
     transform::Transform,
     z_buffer::ZBuffer,
 };
@@ -108,7 +112,9 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
     LabInfo::new::<ClipPolygon>("weiler-atherton", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
+    LabInfo::new::<Stencil>("stencil", Stage::Stencil),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
+    LabInfo::new::<Blend>("blend", Stage::Blend),
 ];
 
 /// The lab of that name.
@@ -256,8 +262,12 @@ families! {
     ClipPolygon
     /// One triangle, row by row.
     Scanline
+    /// The stencil test, draw by draw.
+    Stencil
     /// Triangles, fragment by fragment.
     ZBuffer
+    /// Layers over one pixel.
+    Blend
     /// One vertex through all the spaces.
     Transform
     /// One triangle: does the eye see its back?
@@ -326,6 +336,18 @@ pub fn play(scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message>
 /// The lab finds nothing in the scene that it could run.
 fn nothing_to_step(input: &impl Family) -> Message {
     Message::new("error-nothing-to-step").with("lab", Value::text(input.name()))
+}
+
+/// Most pixels of a scene whose fragments are stepped; of larger ones only a lab's own triangles are.
+const MOST_PIXELS: u64 = 256 * 256;
+
+/// Refuses a scene of too many pixels to step through.
+fn refuse_large(scene: &Scene) -> Result<(), Message> {
+    let [width, height] = scene.size.map(u64::from);
+    if width * height > MOST_PIXELS {
+        return Err(Message::new("error-too-large-to-step").with("most", 256));
+    }
+    Ok(())
 }
 
 /// The scene's conventions of scan conversion.

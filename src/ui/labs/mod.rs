@@ -4,6 +4,7 @@
 //! inspector and painting are the shell's, the same for all.
 
 mod back_face;
+mod blend;
 mod bvh;
 mod clip_line;
 mod clip_plane;
@@ -20,6 +21,7 @@ mod pipeline;
 mod placing;
 mod point_clipping;
 mod scanline;
+mod stencil;
 mod sutherland_hodgman;
 mod transform;
 mod weiler_atherton;
@@ -149,6 +151,8 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(sutherland_hodgman::LAB),
         Box::new(weiler_atherton::LAB),
         Box::new(scanline::Scanline),
+        Box::new(stencil::Stencil),
         Box::new(z_buffer::ZBuffer),
+        Box::new(blend::Blend),
     ]
 }

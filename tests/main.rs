@@ -2,6 +2,7 @@
 //! conformance. No display, no network, no clock.
 
 mod back_face;
+mod blend;
 mod bvh;
 mod cli;
 mod clip_line;
@@ -33,6 +34,7 @@ mod replay;
 mod scanline;
 mod scene;
 mod scene_errors;
+mod stencil;
 mod support;
 mod sutherland_hodgman;
 mod tour;

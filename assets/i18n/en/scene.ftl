@@ -403,6 +403,29 @@ preset-tiles-huge = The triangle covers all of the image. One look at one tile o
 
 preset-tiles-against-box-name = Split: tiles against the box
 preset-tiles-against-box = A long thin triangle. The tiles look at few centres, the box at all of them.
+preset-stencil-outline-scale-name = Outline: scaled
+preset-stencil-outline-scale = The L is drawn and writes 1, is scaled about its centroid, and is drawn where the stencil is not 1. It is concave: in its notch the outline falls inside.
+
+preset-stencil-outline-normals-name = Outline: along normals
+preset-stencil-outline-normals = Each corner of the same L moves along its normal. Now the notch has its outline too, as wide as the other edges.
+
+preset-stencil-outline-pixels-name = Outline: in pixels
+preset-stencil-outline-pixels = Each corner moves by two pixels on the screen. An object farther away would have an outline of the same width.
+
+preset-stencil-outlines-overlap-name = Outlines of overlapping objects
+preset-stencil-outlines-overlap = Left each object writes a value of its own, so each has a whole outline. Right all write 1: one outline runs around both.
+
+preset-stencil-keyhole-name = Mask: a keyhole
+preset-stencil-keyhole = A writes 1. B is drawn only where the stencil is 1, C only where it is not.
+
+preset-stencil-even-odd-name = Even-odd by inverting
+preset-stencil-even-odd = Three triangles of a star that crosses itself invert one bit. Where an odd number met, B finds a 1 and fills it.
+
+preset-stencil-mirror-name = Mirror
+preset-stencil-mirror = The floor A writes 1. B is the object mirrored, drawn only on the floor; without the test it would hang below it.
+
+preset-stencil-shadow-volume-name = Shadow volume, counted
+preset-stencil-shadow-volume = Front faces of the shadow's body count up, back faces count down, each only where it lies before the scene. What is not 0 lies inside: in shadow.
 
 preset-depth-two-triangles-name = B over A: smaller depth wins
 preset-depth-two-triangles = A and B overlap, and neither is nearer everywhere. Each pixel compares two codes.
@@ -418,6 +441,36 @@ preset-depth-behind = B lies behind A. Where they overlap every test fails, and 
 
 preset-depth-order-name = The same, drawn back to front
 preset-depth-order = These are the triangles of the example before, in the other order. The image is the same, but more is written.
+
+preset-blend-over-name = Over
+preset-blend-over = Two half transparent layers over white. Each takes half of what is there and adds half of itself.
+
+preset-blend-alpha-factors-name = Alpha: 0.7 or 0.45
+preset-blend-alpha-factors = A layer of alpha 0.5 over alpha 0.4. By the formula the result is 0.7; with the colour's factors for alpha too it is 0.45.
+
+preset-blend-two-orders-name = Two layers, two orders
+preset-blend-two-orders = The same two layers. The one that is blended last counts twice as much as the other.
+
+preset-blend-three-orders-name = Three layers, two orders
+preset-blend-three-orders = Of three layers of alpha 0.5 the last counts four times as much as the first.
+
+preset-blend-list-name = A list for each pixel
+preset-blend-list = Left the layers are blended as they come, the nearest first: wrong. Right they are kept, sorted by depth, and blended from the farthest on.
+
+preset-blend-premultiplied-name = Premultiplied
+preset-blend-premultiplied = The colours are multiplied by their alpha already, so the source's factor is 1. A layer of alpha 0 can still add light.
+
+preset-blend-additive-name = Additive
+preset-blend-additive = Light on light: nothing of what is there is taken away. What exceeds 1 is clamped, and there the order begins to matter.
+
+preset-blend-multiply-name = Multiply
+preset-blend-multiply = Each layer is a filter. Products do not depend on the order, but every store rounds.
+
+preset-blend-min-name = Darkest
+preset-blend-min = Each channel keeps the lesser of the two values. The factors do not count, and neither does the order.
+
+preset-blend-max-name = Lightest
+preset-blend-max = Each channel keeps the greater of the two values, whatever the alpha.
 
 preset-vertex-perspective-name = Perspective
 preset-vertex-perspective = One corner of A goes through every space, from the model to the pixel. Its w is its distance along the line of sight.

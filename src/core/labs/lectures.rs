@@ -79,6 +79,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
     ("backtracking", &[at(RUSSIAN, "Backtracking-алгоритм")]),
     ("zigzag", &[at(RUSSIAN, "Zigzag-алгоритм")]),
     ("tiled", &[at(SLOVENE, "Rasterizacija")]),
+    ("stencil", &[at(SLOVENE, "Test šablone")]),
     (
         "z-buffer",
         &[
@@ -88,6 +89,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
             at(SLOVENE, "Test globine"),
         ],
     ),
+    ("blend", &[at(SLOVENE, "Mešanje")]),
 ];
 
 impl LabInfo {

@@ -6,6 +6,7 @@
 mod aabb;
 mod back_face;
 mod backtracking;
+mod blend;
 mod bvh;
 mod clip_line;
 mod clip_plane;
@@ -23,6 +24,7 @@ mod pipeline;
 mod placing;
 mod point_clipping;
 mod scanline;
+mod stencil;
 mod sutherland_hodgman;
 mod tiled;
 mod transform;
@@ -158,6 +160,8 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(backtracking::LAB),
         Box::new(zigzag::LAB),
         Box::new(tiled::LAB),
+        Box::new(stencil::Stencil),
         Box::new(z_buffer::ZBuffer),
+        Box::new(blend::Blend),
     ]
 }

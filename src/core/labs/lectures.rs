@@ -75,6 +75,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
     ("frustum-culling", &[at(TUZLA, "Culling"), at(SLOVENE, "Izločanje predmetov izven prostora pogleda")]),
     ("bvh", &[at(SLOVENE, "Izločanje predmetov izven prostora pogleda")]),
     ("scanline", &[at(TUZLA, "Rasterizacija trougla"), at(RUSSIAN, "«Стандартный» алгоритм")]),
+    ("edge-table", &[at(ESTONIAN, "Ridahaaval töötlemine")]),
     (
         "z-buffer",
         &[

@@ -13,6 +13,7 @@ mod clip_plane;
 mod clip_point;
 mod clip_polygon;
 mod clip_triangle;
+mod fill_polygon;
 mod frustum_culling;
 mod lectures;
 mod pipeline;
@@ -30,6 +31,7 @@ pub use self::{
     clip_point::ClipPoint,
     clip_polygon::ClipPolygon,
     clip_triangle::{ClipTriangle, Planes},
+    fill_polygon::FillPolygon,
     frustum_culling::FrustumCulling,
     pipeline::Pipeline,
     scanline::Scanline,
@@ -108,6 +110,7 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
     LabInfo::new::<ClipPolygon>("weiler-atherton", Stage::Clip),
     LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
+    LabInfo::new::<FillPolygon>("edge-table", Stage::ScanConversion),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
 ];
 
@@ -256,6 +259,8 @@ families! {
     ClipPolygon
     /// One triangle, row by row.
     Scanline
+    /// A polygon, row by row.
+    FillPolygon
     /// Triangles, fragment by fragment.
     ZBuffer
     /// One vertex through all the spaces.

@@ -10,7 +10,9 @@ mod clip_plane;
 mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
+mod corners;
 mod cyrus_beck;
+mod edge_table;
 mod frustum_culling;
 mod liang_barsky;
 mod midpoint;
@@ -98,6 +100,11 @@ fn count(markers: &[(usize, Marker)], role: Role) -> usize {
     markers.iter().filter(|(_, marker)| marker.role == role).count()
 }
 
+/// How many plain marks the timeline has: one for each span.
+fn count_plain(markers: &[(usize, Marker)]) -> usize {
+    markers.iter().filter(|(_, marker)| marker.role == Role::Neutral && marker.label.is_none()).count()
+}
+
 /// What is open, to be edited.
 #[derive(Debug)]
 pub(crate) struct Open<'a> {
@@ -149,6 +156,7 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(sutherland_hodgman::LAB),
         Box::new(weiler_atherton::LAB),
         Box::new(scanline::Scanline),
+        Box::new(edge_table::EdgeTable),
         Box::new(z_buffer::ZBuffer),
     ]
 }

@@ -1,6 +1,6 @@
 //! The slope scan line: drag the corners of a triangle over the pixels it fills.
 
-use super::{Handle, Kind, Lab, Outcome};
+use super::{Handle, Kind, Lab, Outcome, count_plain};
 use crate::{
     document::{Document, ViewState},
     face::Face,
@@ -9,7 +9,7 @@ use crate::{
 };
 use egui::Ui;
 use rasterscope_core::{
-    explain::{Marker, Role},
+    explain::Marker,
     labs::{self, LabInput},
     pipeline::screen_triangles,
     raster::FillRule,
@@ -55,10 +55,9 @@ impl Lab for Scanline {
     }
 
     fn outcome(&self, _: &Document, markers: &[(usize, Marker)]) -> Option<Outcome> {
-        let span = |marker: &Marker| marker.role == Role::Neutral && marker.label.is_none();
         Some(Outcome {
             came: None,
-            went: markers.iter().filter(|(_, marker)| span(marker)).count(),
+            went: count_plain(markers),
             unit: Some("pipeline-unit-spans"),
             given: (1, "pipeline-unit-triangles"),
         })

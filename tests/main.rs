@@ -16,6 +16,7 @@ mod compute;
 mod compute_lines;
 mod coverage;
 mod cyrus_beck;
+mod edge_table;
 mod frustum_culling;
 mod house;
 mod interpolate;

@@ -107,6 +107,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "tiled"
     "homogeneous"
     "scanline"
+    "edge-table"
     "stencil"
     "z-buffer"
     "blend"

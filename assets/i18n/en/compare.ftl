@@ -3,6 +3,7 @@
 compare-algorithm = Algorithm
 compare-arithmetic = Arithmetic
 compare-fill-rule = Tie rule
+compare-winding = Winding rule
 compare-y-axis = y axis
 compare-depth-format = Depth format
 compare-depth-compare = Depth test

@@ -426,6 +426,29 @@ preset-stencil-mirror = The floor A writes 1. B is the object mirrored, drawn on
 
 preset-stencil-shadow-volume-name = Shadow volume, counted
 preset-stencil-shadow-volume = Front faces of the shadow's body count up, back faces count down, each only where it lies before the scene. What is not 0 lies inside: in shadow.
+preset-fill-star-name = A star by the even-odd rule
+preset-fill-star = The middle is wound around twice. Twice is even, so it is outside.
+
+preset-fill-star-non-zero-name = A star by both rules
+preset-fill-star-non-zero = The middle is wound around twice: outside by the even-odd rule, inside by the non-zero rule. Seven pixels tell.
+
+preset-fill-ring-name = A hole that turns back
+preset-fill-ring = The hole runs against the outer contour, so its inside is wound around 1 − 1 = 0 times. Both rules leave it free.
+
+preset-fill-ring-same-way-name = A hole that turns along
+preset-fill-ring-same-way = Here the hole runs the same way as the outer contour, so its inside is wound around twice. The non-zero rule fills it.
+
+preset-fill-comb-name = A comb: six crossings
+preset-fill-comb = A concave polygon has several spans in a row. The list of active edges changes only where an edge begins or ends.
+
+preset-fill-on-centres-name = Every edge through centres
+preset-fill-on-centres = Top and left edges take the centres on them, bottom and right edges do not. So the row where both contours meet is drawn once.
+
+preset-fill-crossing-name = Edges that cross
+preset-fill-crossing = Below the crossing the two edges have changed places. They are sorted again in each row, by the column that they reach.
+
+preset-fill-sliver-name = Sliver: spans without a pixel
+preset-fill-sliver = The polygon crosses eight rows, but it is so thin that most rows have no pixel centre between its edges.
 
 preset-depth-two-triangles-name = B over A: smaller depth wins
 preset-depth-two-triangles = A and B overlap, and neither is nearer everywhere. Each pixel compares two codes.

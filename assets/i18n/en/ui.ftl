@@ -177,6 +177,8 @@ ui-error-write = { $path } cannot be written: { $reason }. Save under another pa
 ui-pixel-none = Click a pixel of the picture: here stands what happened to it.
 
 ui-fill-rule = Tie rule
+ui-winding = Inside
+ui-corners = Corners (pixels)
 ui-depth-format = Depth
 ui-depth-range = Range
 ui-object = Object

@@ -79,6 +79,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
     ("backtracking", &[at(RUSSIAN, "Backtracking-алгоритм")]),
     ("zigzag", &[at(RUSSIAN, "Zigzag-алгоритм")]),
     ("tiled", &[at(SLOVENE, "Rasterizacija")]),
+    ("edge-table", &[at(ESTONIAN, "Ridahaaval töötlemine")]),
     ("stencil", &[at(SLOVENE, "Test šablone")]),
     (
         "z-buffer",

@@ -14,6 +14,7 @@ mod clip_plane;
 mod clip_point;
 mod clip_polygon;
 mod clip_triangle;
+mod fill_polygon;
 mod fill_triangle;
 mod frustum_culling;
 mod lectures;
@@ -33,6 +34,7 @@ pub use self::{
     clip_point::ClipPoint,
     clip_polygon::ClipPolygon,
     clip_triangle::{ClipTriangle, Planes},
+    fill_polygon::FillPolygon,
     fill_triangle::FillTriangle,
     frustum_culling::FrustumCulling,
     pipeline::Pipeline,
@@ -116,6 +118,7 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<FillTriangle>("backtracking", Stage::ScanConversion),
     LabInfo::new::<FillTriangle>("zigzag", Stage::ScanConversion),
     LabInfo::new::<FillTriangle>("tiled", Stage::ScanConversion),
+    LabInfo::new::<FillPolygon>("edge-table", Stage::ScanConversion),
     LabInfo::new::<Stencil>("stencil", Stage::Stencil),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
     LabInfo::new::<Blend>("blend", Stage::Blend),
@@ -266,6 +269,8 @@ families! {
     ClipPolygon
     /// One triangle and its pixels.
     FillTriangle
+    /// A polygon, row by row.
+    FillPolygon
     /// The stencil test, draw by draw.
     Stencil
     /// Triangles, fragment by fragment.

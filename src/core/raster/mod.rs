@@ -8,6 +8,7 @@
 pub mod aabb;
 pub mod backtracking;
 pub(crate) mod edge;
+pub mod edge_table;
 pub mod homogeneous;
 pub mod scanline;
 pub mod tiled;

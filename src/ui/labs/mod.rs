@@ -13,7 +13,9 @@ mod clip_plane;
 mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
+mod corners;
 mod cyrus_beck;
+mod edge_table;
 mod fill_triangle;
 mod frustum_culling;
 mod liang_barsky;
@@ -105,6 +107,11 @@ fn count(markers: &[(usize, Marker)], role: Role) -> usize {
     markers.iter().filter(|(_, marker)| marker.role == role).count()
 }
 
+/// How many plain marks the timeline has: one for each span.
+fn count_plain(markers: &[(usize, Marker)]) -> usize {
+    markers.iter().filter(|(_, marker)| marker.role == Role::Neutral && marker.label.is_none()).count()
+}
+
 /// What is open, to be edited.
 #[derive(Debug)]
 pub(crate) struct Open<'a> {
@@ -160,6 +167,7 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(backtracking::LAB),
         Box::new(zigzag::LAB),
         Box::new(tiled::LAB),
+        Box::new(edge_table::EdgeTable),
         Box::new(stencil::Stencil),
         Box::new(z_buffer::ZBuffer),
         Box::new(blend::Blend),

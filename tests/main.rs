@@ -1,6 +1,7 @@
 //! Headless tests over core, figure and cli: laws that hold for every algorithm, golden logs,
 //! conformance. No display, no network, no clock.
 
+mod area_ratios;
 mod back_face;
 mod blend;
 mod bvh;
@@ -23,9 +24,13 @@ mod interpolate;
 mod liang_barsky;
 mod meshes;
 mod midpoint;
+mod msaa;
+mod multisample;
 mod nicholl_lee_nicholl;
 mod obj;
+mod perspective_correction;
 mod pipeline;
+mod plane_equation;
 mod point_clipping;
 mod polygon_presets;
 mod presets;

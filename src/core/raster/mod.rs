@@ -10,6 +10,8 @@ pub mod backtracking;
 pub(crate) mod edge;
 pub mod edge_table;
 pub mod homogeneous;
+pub mod msaa;
+mod samples;
 pub mod scanline;
 pub mod tiled;
 pub mod traversal;
@@ -17,6 +19,7 @@ pub(crate) mod view;
 pub mod zigzag;
 
 pub use edge::{Edge, Edges};
+pub use samples::{NoPattern, Samples, cover_samples};
 
 use crate::math::{Arithmetic, Tally};
 use serde::{Deserialize, Serialize};

@@ -21,6 +21,7 @@ mod edge_table;
 mod frustum_culling;
 mod house;
 mod interpolate;
+mod lantern;
 mod liang_barsky;
 mod meshes;
 mod midpoint;

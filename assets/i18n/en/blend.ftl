@@ -25,5 +25,4 @@ row-color = colour
 column-red = r
 column-green = g
 column-blue = b
-column-alpha = α
 blend-unit-layers = layers

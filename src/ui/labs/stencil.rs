@@ -82,7 +82,7 @@ fn outline(ui: &mut Ui, face: &Face<'_>, input: &mut labs::Stencil, scene: &Scen
         (Order::Together, face.say("word-outlines-together")),
         (Order::OneByOne, face.say("word-outlines-one-by-one")),
     ];
-    choices::choose(ui, face, "ui-outlines", &mut input.order, &orders);
+    choices::choose(ui, face, "ui-outlines-drawn", &mut input.order, &orders);
     let (name, amount) = match way {
         Way::Scale => ("ui-outline-factor", &mut input.factor),
         Way::Normals => ("ui-outline-distance", &mut input.distance),

@@ -15,6 +15,7 @@ mod compute;
 mod compute_lines;
 mod coverage;
 mod cyrus_beck;
+mod engine;
 mod frustum_culling;
 mod house;
 mod interpolate;

@@ -3,7 +3,7 @@
 use crate::support::{Random, covered, triangle};
 use rasterscope_core::{
     math::{Arithmetic, Tally},
-    raster::{Algorithm, Counts, FillRule, Settings, YAxis, cover, rows, snap},
+    raster::{Algorithm, Counts, FillRule, Settings, YAxis, cover, rows},
 };
 
 /// ALGORITHMS' acceptance scene: the square's corners lie on pixel centres.
@@ -120,13 +120,19 @@ fn fixed_point_is_exact_for_the_snapped_vertices() {
     let mut random = Random::new(12);
     for _ in 0..3_000 {
         let vertices = triangle(&mut random);
-        let fixed = Settings { arithmetic: Arithmetic::Fixed8, ..Settings::new([9, 7]) };
-        let expected = covered(vertices.map(|vertex| vertex.map(snap)), &Settings::new([9, 7]));
+        let arithmetic = random.pick(&[Arithmetic::Fixed8, Arithmetic::Fixed4, Arithmetic::Fixed0]);
+        let fixed = Settings { arithmetic, ..Settings::new([9, 7]) };
+        let snapped = vertices.map(|vertex| vertex.map(|coordinate| arithmetic.snap(coordinate)));
+        let expected = covered(snapped, &Settings::new([9, 7]));
         for algorithm in Algorithm::ALL {
             assert_eq!(rows(algorithm, vertices, &fixed, &mut Tally::default()), expected, "{vertices:?}");
         }
     }
-    assert_eq!([0.001953125, 0.005859375, -0.3, 1e30].map(snap), [0.0, 0.0078125, -0.30078125, 1e30]);
+    let snapped = |arithmetic: Arithmetic| [0.001953125, 0.46875, -0.3, 1e30].map(|x| arithmetic.snap(x));
+    assert_eq!(snapped(Arithmetic::Fixed8), [0.0, 0.46875, -0.30078125, 1e30]);
+    assert_eq!(snapped(Arithmetic::Fixed4), [0.0, 0.5, -0.3125, 1e30], "7.5 sixteenths go to the even 8");
+    assert_eq!(snapped(Arithmetic::Fixed0), [0.0, 0.0, 0.0, 1e30]);
+    assert_eq!(snapped(Arithmetic::F32), snapped(Arithmetic::Exact));
 }
 
 /// A jittered grid of quads that hangs over the image on all sides, each cut along a random

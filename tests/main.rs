@@ -2,6 +2,7 @@
 //! conformance. No display, no network, no clock.
 
 mod back_face;
+mod blend;
 mod bvh;
 mod cli;
 mod clip_line;
@@ -16,10 +17,13 @@ mod compute_lines;
 mod coverage;
 mod cyrus_beck;
 mod engine;
+mod edge_table;
 mod frustum_culling;
 mod house;
 mod interpolate;
+mod lantern;
 mod liang_barsky;
+mod meshes;
 mod midpoint;
 mod nicholl_lee_nicholl;
 mod obj;
@@ -27,11 +31,13 @@ mod pipeline;
 mod point_clipping;
 mod polygon_presets;
 mod presets;
+mod raster_presets;
 mod render;
 mod replay;
 mod scanline;
 mod scene;
 mod scene_errors;
+mod stencil;
 mod support;
 mod sutherland_hodgman;
 mod tour;

@@ -6,7 +6,7 @@ use rasterscope_core::{
         liang_barsky::{self, Parameter},
     },
     cull::{Facing, facing},
-    labs::{ClipLine, LabInput, Scanline, ZBuffer},
+    labs::{ClipLine, FillTriangle, LabInput, ZBuffer},
     math::Tally,
     raster::{Settings, aabb},
     replay::{Budget, Playback},
@@ -210,7 +210,7 @@ fn spans_are_what_their_names_say() {
         ("span-flat-bottom", &[(2, 2), (3, 3), (4, 4), (5, 5), (6, 7)]),
     ] {
         let scene = scene(name);
-        let Some(LabInput::Scanline(Scanline { vertices: Some(vertices), .. })) =
+        let Some(LabInput::FillTriangle(FillTriangle { vertices: Some(vertices), .. })) =
             scene.lab.map(|lab| lab.input)
         else {
             panic!("{name} opens the lab");

@@ -159,7 +159,7 @@ fn a_bad_field_is_named_by_its_path() {
             "lab.compare.fill_rule",
         ),
         (
-            top(r#""lab":{"name":"scanline","compare":{"arithmetic":"f32"}}"#),
+            top(r#""lab":{"name":"z-buffer","compare":{"arithmetic":"f32"}}"#),
             "unknown-field",
             "lab.compare.arithmetic",
         ),

@@ -144,6 +144,12 @@ pub(crate) fn open_lab(lab: &str, path: &Path) -> Result<Scene, Failure> {
     if input.is_some_and(|input| input.name() == lab) {
         return Ok(scene);
     }
+    // The algorithms of a family take the same inputs.
+    let carried = labs::find(lab).and_then(|lab| input?.carried(lab.name));
+    if let Some(input) = carried {
+        scene.lab = Some(Lab::new(input));
+        return Ok(scene);
+    }
     // What needs no input beyond the scene's triangles starts on any scene that has some.
     match labs::default_input(lab) {
         Some(input) if !from_request && input.is_of_scene() => {

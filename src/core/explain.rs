@@ -4,9 +4,11 @@
 //! explanation change together. Nothing here knows a colour, a font or a language: a [`Role`] says
 //! what a mark means, a [`Message`] names a sentence.
 
+mod cells;
 mod operations;
 mod space;
 
+pub(crate) use cells::Cells;
 pub use operations::Operations;
 pub use space::{Solid, Vantage, box_corners};
 

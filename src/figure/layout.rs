@@ -100,6 +100,7 @@ pub fn draw_held(
             Mark::Space(_) => {}
         }
     }
+    legend::reserve(&mut canvas, marks);
     let places = labels::draw(&mut canvas, &wishes, held);
     legend::draw(&mut canvas, marks);
     (canvas.finish(), places)

@@ -126,7 +126,7 @@ impl Settings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rasterscope_core::labs::Scanline;
+    use rasterscope_core::{labs::FillTriangle, raster::Algorithm};
 
     #[test]
     fn what_is_no_session_is_none() {
@@ -139,7 +139,7 @@ mod tests {
     fn a_session_reads_back_with_its_step_and_the_other_labs() {
         let mut document = Document::new(Scene::empty([8, 8]));
         let input =
-            LabInput::from(Scanline { vertices: Some([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]), triangle: 0 });
+            LabInput::from(FillTriangle::of(Algorithm::Scanline, [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]));
         document.open_lab("scanline", || input.clone());
         document.open_lab("pipeline", || LabInput::PIPELINE);
         let session = Session::new(Settings::default(), &document, Some(7));

@@ -2,6 +2,7 @@
 
 use super::Random;
 use rasterscope_core::{
+    depth::DepthFormat,
     math::{Dyadic, Sign},
     raster::{FillRule, Settings, Span, YAxis},
 };
@@ -96,4 +97,13 @@ pub(crate) fn plane_value(triangle: &[[f32; 3]; 3], pixel: [u32; 2]) -> (Dyadic,
     let [a, b, c] = areas(triangle.map(|[x, y, _]| [x, y]), pixel.map(|n| n as f32 + 0.5));
     let [z0, z1, z2] = triangle.map(|[_, _, z]| Dyadic::from(z));
     (&a * &z0 + &b * &z1 + &c * &z2, a + b + c)
+}
+
+/// The code of the exact plane value at a pixel's centre.
+pub(crate) fn plane_code(triangle: &[[f32; 3]; 3], pixel: [u32; 2], format: DepthFormat) -> u32 {
+    let (num, den) = plane_value(triangle, pixel);
+    match format.max_code() {
+        None => Dyadic::ratio_to_f32(&num, &den).to_bits(),
+        Some(max) => Dyadic::ratio_to_code(&num, &den, max),
+    }
 }

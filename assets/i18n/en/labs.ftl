@@ -23,5 +23,5 @@ error-polygon-no-area = All corners lie on one line, so the window has no inside
 error-polygon-not-convex = The window must be convex. Move the corner that bends inward, or undo.
 error-nothing-to-step = Nothing to step: the scene gives the lab { $lab } no triangle. Add one, or choose a preset.
 error-mixed-depth-states = The scene's draws have different depth states, so they cannot be stepped as one z-buffer. Give all draws the same "depth".
-error-steps-without-stencil = Stepping the whole scene shows the depth test alone, and this scene also uses stencil or blending. What happened to a pixel, the window tells at a click on it.
+error-no-layers = No layer comes to the pixel. Add one, or choose a preset.
 error-too-large-to-step = This scene is too large to step as a whole (more than { $most } × { $most } pixels). Choose a lab; what happened to a pixel, the window tells at a click on it.

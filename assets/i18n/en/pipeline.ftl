@@ -17,6 +17,7 @@ pipeline-reason-redrawn = redrawn
 pipeline-unit-triangles = tri
 pipeline-unit-vertices = vtx
 pipeline-unit-spans = spans
+pipeline-unit-rows = rows
 pipeline-unit-fragments = frag
 pipeline-unit-pixels = px
 

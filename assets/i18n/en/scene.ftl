@@ -329,6 +329,127 @@ preset-span-flat-top = A horizontal edge lies on the line of pixel centres. A to
 preset-span-flat-bottom-name = Flat bottom on a centre row
 preset-span-flat-bottom = A horizontal edge lies on the line of pixel centres. A bottom edge does not draw that row.
 
+preset-box-half-wasted-name = About half is wasted
+preset-box-half-wasted = A triangle fills half of its box. The other half of the centres is tested for nothing, unless a row is left early.
+
+preset-box-sliver-name = Sliver: nearly all is wasted
+preset-box-sliver = A thin triangle along the diagonal has the box of a fat one. Nearly every test keeps its centre out.
+
+preset-box-ties-name = Ties on all three edges
+preset-box-ties = Every edge runs through pixel centres. The left and the top edge draw them, the slanted edge does not.
+
+preset-box-mirrored-name = Turned the other way
+preset-box-mirrored = The same corners in the other turning sense. The edges are turned round, so that the inside stays positive: the same pixels.
+
+preset-box-huge-name = Corners far off the screen
+preset-box-huge = Coordinates of 10³⁰ pixels. The box is cut to the image, and the signs are still exact.
+
+preset-box-zero-area-name = Three corners on one line
+preset-box-zero-area = Many centres lie exactly on the line. Still nothing is drawn: a triangle without area has no inside.
+
+preset-back-to-the-left-name = Back, then fill
+preset-back-to-the-left = In each row the walk goes left until the triangle lies to the right, then fills up to the other side.
+
+preset-back-leaning-left-name = Leaning left: back is long
+preset-back-leaning-left = The row above ends far to the right of where the next begins. Each row is walked nearly twice.
+
+preset-back-leaning-right-name = Leaning right: back is short
+preset-back-leaning-right = The row above ends near the begin of the next. Hardly any centre is tested twice.
+
+preset-back-needle-name = Needle: no centre inside
+preset-back-needle = The needle passes between all centres. Every row is walked, and nothing is drawn.
+
+preset-back-flat-top-name = Flat top on centres
+preset-back-flat-top = Two corners are highest; the walk begins at the first. The whole top row are ties, and a top edge draws them.
+
+preset-back-apex-outside-name = Apex outside the image
+preset-back-apex-outside = The highest corner lies above and left of the image. The walk begins at the border, where the image begins.
+
+preset-zigzag-both-sides-name = To both sides
+preset-zigzag-both-sides = Each row is entered below the middle of the row above: first to the left, then to the right. No centre is tested twice.
+
+preset-zigzag-leaning-left-name = Leaning left
+preset-zigzag-leaning-left = Where backtracking walks a row nearly twice, zigzag tests each centre once.
+
+preset-zigzag-shallow-name = Shallow: the start is outside
+preset-zigzag-shallow = The next row begins beside the triangle. The walk must not stop at the first centre outside.
+
+preset-zigzag-tie-name = One tie on a left edge
+preset-zigzag-tie = In row 4 the left edge runs exactly through a pixel centre. It is drawn, and the walk goes on to the left.
+
+preset-zigzag-point-up-and-down-name = Apex on a centre
+preset-zigzag-point-up-and-down = The highest corner is a pixel centre. It lies on two edges at once: one of them does not draw it.
+
+preset-zigzag-against-backtracking-name = Split: two ways
+preset-zigzag-against-backtracking = The same triangle both ways. The pixels are the same; the numbers of tests are not.
+
+preset-tiles-nested-name = Squares of 64, 16 and 4
+preset-tiles-nested = Whole squares are left out or drawn at once. Only along the edges squares are split, down to single centres.
+
+preset-tiles-inside-name = Whole tiles inside
+preset-tiles-inside = The worst centre of a tile lies inside all edges: its sixteen pixels are drawn without a test of their own.
+
+preset-tiles-outside-name = Whole tiles outside
+preset-tiles-outside = Most tiles of the box lie outside one edge. Two corners of a tile settle sixteen centres, or 256.
+
+preset-tiles-small-name = Too small for tiles
+preset-tiles-small = The triangle lies in one tile of 4 × 4. The two larger tiles around it are looked at for nothing.
+
+preset-tiles-tie-name = A tie decides a whole tile
+preset-tiles-tie = The left edge runs through the first centres of two tiles. A left edge draws its ties, so both are drawn whole; a right edge would split them.
+
+preset-tiles-huge-name = The image is inside
+preset-tiles-huge = The triangle covers all of the image. One look at one tile of 64 × 64 draws 768 pixels.
+
+preset-tiles-against-box-name = Split: tiles against the box
+preset-tiles-against-box = A long thin triangle. The tiles look at few centres, the box at all of them.
+preset-stencil-outline-scale-name = Outline: scaled
+preset-stencil-outline-scale = The L is drawn and writes 1, is scaled about its centroid, and is drawn where the stencil is not 1. It is concave: in its notch the outline falls inside.
+
+preset-stencil-outline-normals-name = Outline: along normals
+preset-stencil-outline-normals = Each corner of the same L moves along its normal. Now the notch has its outline too, as wide as the other edges.
+
+preset-stencil-outline-pixels-name = Outline: in pixels
+preset-stencil-outline-pixels = Each corner moves by two pixels on the screen. An object farther away would have an outline of the same width.
+
+preset-stencil-outlines-overlap-name = Outlines of overlapping objects
+preset-stencil-outlines-overlap = Left each object writes a value of its own, so each has a whole outline. Right all write 1: one outline runs around both.
+
+preset-stencil-keyhole-name = Mask: a keyhole
+preset-stencil-keyhole = A writes 1. B is drawn only where the stencil is 1, C only where it is not.
+
+preset-stencil-even-odd-name = Even-odd by inverting
+preset-stencil-even-odd = Three triangles of a star that crosses itself invert one bit. Where an odd number met, B finds a 1 and fills it.
+
+preset-stencil-mirror-name = Mirror
+preset-stencil-mirror = The floor A writes 1. B is the object mirrored, drawn only on the floor; without the test it would hang below it.
+
+preset-stencil-shadow-volume-name = Shadow volume, counted
+preset-stencil-shadow-volume = Front faces of the shadow's body count up, back faces count down, each only where it lies before the scene. What is not 0 lies inside: in shadow.
+preset-fill-star-name = A star by the even-odd rule
+preset-fill-star = The middle is wound around twice. Twice is even, so it is outside.
+
+preset-fill-star-non-zero-name = A star by both rules
+preset-fill-star-non-zero = The middle is wound around twice: outside by the even-odd rule, inside by the non-zero rule. Seven pixels tell.
+
+preset-fill-ring-name = A hole that turns back
+preset-fill-ring = The hole runs against the outer contour, so its inside is wound around 1 − 1 = 0 times. Both rules leave it free.
+
+preset-fill-ring-same-way-name = A hole that turns along
+preset-fill-ring-same-way = Here the hole runs the same way as the outer contour, so its inside is wound around twice. The non-zero rule fills it.
+
+preset-fill-comb-name = A comb: six crossings
+preset-fill-comb = A concave polygon has several spans in a row. The list of active edges changes only where an edge begins or ends.
+
+preset-fill-on-centres-name = Every edge through centres
+preset-fill-on-centres = Top and left edges take the centres on them, bottom and right edges do not. So the row where both contours meet is drawn once.
+
+preset-fill-crossing-name = Edges that cross
+preset-fill-crossing = Below the crossing the two edges have changed places. They are sorted again in each row, by the column that they reach.
+
+preset-fill-sliver-name = Sliver: spans without a pixel
+preset-fill-sliver = The polygon crosses eight rows, but it is so thin that most rows have no pixel centre between its edges.
+
 preset-depth-two-triangles-name = B over A: smaller depth wins
 preset-depth-two-triangles = A and B overlap, and neither is nearer everywhere. Each pixel compares two codes.
 
@@ -343,6 +464,36 @@ preset-depth-behind = B lies behind A. Where they overlap every test fails, and 
 
 preset-depth-order-name = The same, drawn back to front
 preset-depth-order = These are the triangles of the example before, in the other order. The image is the same, but more is written.
+
+preset-blend-over-name = Over
+preset-blend-over = Two half transparent layers over white. Each takes half of what is there and adds half of itself.
+
+preset-blend-alpha-factors-name = Alpha: 0.7 or 0.45
+preset-blend-alpha-factors = A layer of alpha 0.5 over alpha 0.4. By the formula the result is 0.7; with the colour's factors for alpha too it is 0.45.
+
+preset-blend-two-orders-name = Two layers, two orders
+preset-blend-two-orders = The same two layers. The one that is blended last counts twice as much as the other.
+
+preset-blend-three-orders-name = Three layers, two orders
+preset-blend-three-orders = Of three layers of alpha 0.5 the last counts four times as much as the first.
+
+preset-blend-list-name = A list for each pixel
+preset-blend-list = Left the layers are blended as they come, the nearest first: wrong. Right they are kept, sorted by depth, and blended from the farthest on.
+
+preset-blend-premultiplied-name = Premultiplied
+preset-blend-premultiplied = The colours are multiplied by their alpha already, so the source's factor is 1. A layer of alpha 0 can still add light.
+
+preset-blend-additive-name = Additive
+preset-blend-additive = Light on light: nothing of what is there is taken away. What exceeds 1 is clamped, and there the order begins to matter.
+
+preset-blend-multiply-name = Multiply
+preset-blend-multiply = Each layer is a filter. Products do not depend on the order, but every store rounds.
+
+preset-blend-min-name = Darkest
+preset-blend-min = Each channel keeps the lesser of the two values. The factors do not count, and neither does the order.
+
+preset-blend-max-name = Lightest
+preset-blend-max = Each channel keeps the greater of the two values, whatever the alpha.
 
 preset-vertex-perspective-name = Perspective
 preset-vertex-perspective = One corner of A goes through every space, from the model to the pixel. Its w is its distance along the line of sight.

@@ -27,7 +27,7 @@ pub(super) fn conventions(request: &Request) -> Result<(Algorithm, Settings), Re
     Ok((algorithm.unwrap_or_default(), settings))
 }
 
-/// The conventions of a request that is to be stepped, which is done in exact arithmetic.
+/// The conventions of a `depth` request that is to be stepped, which is done in exact arithmetic.
 pub(super) fn steppable(request: &Request) -> Result<Settings, Refusal> {
     request.arithmetic_of(&[Arithmetic::Exact])?;
     conventions(request).map(|(_, settings)| settings)
@@ -54,7 +54,7 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
 
 /// The same request as a scene that opens a lab.
 pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
-    let Settings { size, fill_rule, y_axis, .. } = steppable(request)?;
-    let input = labs::Scanline { vertices: Some(request.vertices()?), triangle: 0 };
+    let (algorithm, Settings { size, fill_rule, y_axis, arithmetic, .. }) = conventions(request)?;
+    let input = labs::FillTriangle { arithmetic, ..labs::FillTriangle::of(algorithm, request.vertices()?) };
     Ok(Scene { fill_rule, y_axis, ..lab_scene(size, input) })
 }

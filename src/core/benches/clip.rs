@@ -1,47 +1,26 @@
 //! What exactness costs in clipping: each algorithm in three arithmetics, its wrong answers, and how often
 //! binary64 did not decide. Run with `cargo bench -p rasterscope-core --bench clip`.
 //!
-//! The rows take turns, so that a busy moment of the machine hits them all. Each exact answer is held
+//! Each exact answer is held
 //! against that of another algorithm and that of the reversed input, bit for bit; the rounded ones are
 //! counted where they differ from it. `tests/peers` compares with other crates.
-#![expect(clippy::print_stdout, reason = "it prints a table")]
+mod support;
 
 use rasterscope_core::{
     clip::{
-        line::{Segment, Window, cohen_sutherland, liang_barsky},
+        line::{self, Segment, Window, cohen_sutherland, liang_barsky},
         polygon::sutherland_hodgman,
     },
     math::{Arithmetic, Tally},
     trace::NoTrace,
 };
-use std::{hint::black_box, time::Instant};
+use std::hint::black_box;
+use support::{ARITHMETICS, Random, Row, race};
 
-const ROUNDS: usize = 21;
 const SEGMENTS: usize = 8_192;
 const WINDOW: [f32; 4] = [-3.1, -2.2, 4.7, 3.3];
 
-/// One line of the table.
-struct Row<'a> {
-    name: String,
-    arithmetic: Arithmetic,
-    run: Box<dyn Fn(&mut Tally) + 'a>,
-    items: usize,
-    wrong: Option<usize>,
-    times: Vec<f64>,
-}
-
-/// Marsaglia's xorshift: the same numbers on every machine.
-struct Random(u64);
-
 impl Random {
-    /// Uniform in `low..high`.
-    fn uniform(&mut self, low: f32, high: f32) -> f32 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        low + (high - low) * (self.0 >> 40) as f32 / (1 << 24) as f32
-    }
-
     fn point(&mut self, margin: f32) -> [f32; 2] {
         let [xmin, ymin, xmax, ymax] = WINDOW;
         [(xmin, xmax), (ymin, ymax)].map(|(min, max)| {
@@ -81,12 +60,11 @@ fn mixes(window: &Window) -> [(&'static str, Vec<Segment>); 4] {
     ]
 }
 
-const ARITHMETICS: [Arithmetic; 3] = [Arithmetic::Exact, Arithmetic::F64, Arithmetic::F32];
-
 /// A clipper in any arithmetic.
 type Clip = fn(Segment, &Window, Arithmetic, &mut Tally) -> Option<Segment>;
 
-const CLIPPERS: [(&str, Clip); 2] = [
+const CLIPPERS: [(&str, Clip); 3] = [
+    ("at once", |segment, window, _, _| line::clip(segment, window)),
     ("Cohen-Sutherland", |segment, window, arithmetic, tally| {
         cohen_sutherland::clip_traced(segment, window, arithmetic, tally, &mut NoTrace)
     }),
@@ -99,22 +77,24 @@ fn lines<'a>(window: &'a Window, mixes: &'a [(&'static str, Vec<Segment>); 4]) -
     let mut rows = Vec::new();
     for (mix, segments) in mixes {
         for (name, clip) in CLIPPERS {
-            for arithmetic in ARITHMETICS {
+            // What decides at once has no taught form.
+            let arithmetics = if name == "at once" { &ARITHMETICS[..1] } else { &ARITHMETICS };
+            for &arithmetic in arithmetics {
                 let wrong = segments.iter().filter(|&&[p, q]| {
-                    let exact = cohen_sutherland::clip([p, q], window);
-                    let reversed = cohen_sutherland::clip([q, p], window).map(|[q, p]| [p, q]);
+                    let exact = line::clip([p, q], window);
+                    let reversed = line::clip([q, p], window).map(|[q, p]| [p, q]);
                     assert_eq!(exact, reversed, "the order of the ends matters");
                     clip([p, q], window, arithmetic, &mut Tally::default()) != exact
                 });
-                let wrong = Some(wrong.count());
-                assert!(arithmetic != Arithmetic::Exact || wrong == Some(0), "{name} differs");
+                let wrong = wrong.count();
+                assert!(arithmetic != Arithmetic::Exact || wrong == 0, "{name} differs");
                 let run = move |tally: &mut Tally| {
                     for segment in segments {
                         black_box(clip(*segment, window, arithmetic, tally));
                     }
                 };
                 let (name, run) = (format!("{mix}, {name}"), Box::new(run));
-                rows.push(Row { name, arithmetic, run, items: SEGMENTS, wrong, times: Vec::new() });
+                rows.push(Row { name, arithmetic, run, items: SEGMENTS, wrong: Some(wrong as f64) });
             }
         }
     }
@@ -152,27 +132,9 @@ fn main() {
             };
             let items = polygons.len() * corners;
             let name = format!("{corners} corners, Sutherland-Hodgman");
-            rows.push(Row { name, arithmetic, run: Box::new(run), items, wrong: None, times: Vec::new() });
+            rows.push(Row { name, arithmetic, run: Box::new(run), items, wrong: None });
         }
     }
 
-    for _ in 0..ROUNDS {
-        for row in &mut rows {
-            let start = Instant::now();
-            (row.run)(&mut Tally::default());
-            row.times.push(start.elapsed().as_secs_f64() * 1e9 / row.items as f64);
-        }
-    }
-    println!(
-        "{:<36} {:<6} {:>9} {:>8} {:>12}",
-        "ns a segment or corner", "", "median", "wrong", "not decided"
-    );
-    for Row { name, arithmetic, run, wrong, times, .. } in &mut rows {
-        times.sort_unstable_by(f64::total_cmp);
-        let mut tally = Tally::default();
-        run(&mut tally);
-        let wrong = wrong.map_or(String::new(), |wrong| wrong.to_string());
-        let (name, median, share) = (&name, times[times.len() / 2], tally.share() * 100.0);
-        println!("{name:<36} {:<6} {median:>9.1} {wrong:>8} {share:>10.4} %", arithmetic.name());
-    }
+    race("a segment or corner", "wrong", &rows);
 }

@@ -55,8 +55,8 @@ pub fn clip_traced<T: Tracer<Event>>(
 ) -> bool {
     match arithmetic {
         // The given numbers are binary32, so that nothing is rounded before it is compared.
-        Arithmetic::Exact | Arithmetic::Fixed8 | Arithmetic::F32 => clip_taught::<f32, T>(point, window, t),
         Arithmetic::F64 => clip_taught::<f64, T>(point, window, t),
+        _ => clip_taught::<f32, T>(point, window, t),
     }
 }
 

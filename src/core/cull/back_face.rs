@@ -207,7 +207,7 @@ pub fn run_traced<T: Tracer<Event>>(input: &Input, tally: &mut Tally, t: &mut T)
 /// One test: the terms, the value, the answer.
 fn ask<T: Tracer<Event>>(test: Test, input: &Input, tally: &mut Tally, t: &mut T) -> Option<Facing> {
     let Input { spaces, settings, .. } = input;
-    let exact = matches!(settings.arithmetic, Arithmetic::Exact | Arithmetic::Fixed8);
+    let exact = settings.arithmetic.is_exact();
     // In exact arithmetic only the sign is needed: the numbers are there to be shown.
     let numbers = if T::ENABLED || !exact { spaces.numbers(test, settings.arithmetic) } else { None };
     if T::ENABLED {

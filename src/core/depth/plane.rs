@@ -7,7 +7,7 @@ use super::DepthFormat;
 use crate::{
     interpolate::barycentric::determinant,
     math::{Approx, Arithmetic, Dyadic, Real, Tally, edge_value, orient2d, rounded_code, rounded_ratio},
-    raster::{edge::centre, snap},
+    raster::edge::centre,
 };
 
 /// A triangle's depth, set up once for all its pixels.
@@ -29,20 +29,18 @@ enum Form {
 
 impl DepthPlane {
     /// From vertices (x, y, z): x and y in pixels, z in the depth range; any finite numbers,
-    /// either winding. `F32` and `F64` use the slopes dz/dx and dz/dy as taught; `Fixed8` snaps x
-    /// and y to 1/256 pixel and is exact then. A zero area has the depth of its first vertex.
+    /// either winding. `F32` and `F64` use the slopes dz/dx and dz/dy as taught; fixed point
+    /// snaps x and y and is exact then. A zero area has the depth of its first vertex.
     pub fn new(mut vertices: [[f32; 3]; 3], arithmetic: Arithmetic, tally: &mut Tally) -> Self {
-        if arithmetic == Arithmetic::Fixed8 {
-            vertices = vertices.map(|[x, y, z]| [snap(x), snap(y), z]);
-        }
+        vertices = vertices.map(|[x, y, z]| [arithmetic.snap(x), arithmetic.snap(y), z]);
         let [a, b, c] = vertices.map(|[_, _, z]| z);
         let form = if a.to_bits() == b.to_bits() && b.to_bits() == c.to_bits() || !has_area(vertices, tally) {
             Form::Constant(a)
         } else {
             match arithmetic {
-                Arithmetic::Exact | Arithmetic::Fixed8 => Form::Exact(Plane::new(vertices)),
                 Arithmetic::F32 => Form::F32(Slopes::new(vertices)),
                 Arithmetic::F64 => Form::F64(Slopes::new(vertices)),
+                _ => Form::Exact(Plane::new(vertices)),
             }
         };
         Self { form, range: [a.min(b).min(c), a.max(b).max(c)] }

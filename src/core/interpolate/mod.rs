@@ -14,7 +14,6 @@ pub use perspective::Interpolator;
 use crate::{
     math::{Arithmetic, Tally},
     message::Message,
-    raster::snap,
 };
 use serde::{Deserialize, Serialize};
 
@@ -80,8 +79,8 @@ impl InterpolateError {
 ///
 /// Vertices are (x, y, w): x and y in pixels, w of clip space, any finite numbers but w = 0 in
 /// perspective; `at` is in pixels, too. Either winding. The result is correctly rounded; it may
-/// be infinite only if w has both signs. `F32` and `F64` compute area ratios as taught; `Fixed8`
-/// snaps x and y to 1/256 and is exact then. Cost: about 50 ns, a few us in the exact tail.
+/// be infinite only if w has both signs. `F32` and `F64` compute area ratios as taught; fixed
+/// point snaps x and y and is exact then. Cost: about 50 ns, a few us in the exact tail.
 pub fn interpolate(
     mode: Mode,
     vertices: [[f32; 3]; 3],
@@ -91,10 +90,7 @@ pub fn interpolate(
     tally: &mut Tally,
 ) -> Result<f32, InterpolateError> {
     let w = vertices.map(|[_, _, w]| w);
-    let points = vertices.map(|[x, y, _]| match arithmetic {
-        Arithmetic::Fixed8 => [x, y].map(snap),
-        Arithmetic::Exact | Arithmetic::F32 | Arithmetic::F64 => [x, y],
-    });
+    let points = vertices.map(|[x, y, _]| [x, y].map(|coordinate| arithmetic.snap(coordinate)));
     let Some(mut triangle) = Barycentric::new(points, tally) else { return Err(InterpolateError::ZeroArea) };
     if !triangle.contains(at, tally) {
         return Err(InterpolateError::Outside);
@@ -110,12 +106,12 @@ pub fn interpolate(
     }
     let w = (mode == Mode::Perspective).then_some(w);
     Ok(match arithmetic {
-        Arithmetic::Exact | Arithmetic::Fixed8 => match points.iter().position(|point| *point == at) {
+        Arithmetic::F32 => taught::interpolate::<f32>(points, w, attribute, at),
+        Arithmetic::F64 => taught::interpolate::<f64>(points, w, attribute, at),
+        _ => match points.iter().position(|point| *point == at) {
             Some(vertex) => attribute[vertex],
             None => triangle.at(at, tally).value(attribute, tally),
         },
-        Arithmetic::F32 => taught::interpolate::<f32>(points, w, attribute, at),
-        Arithmetic::F64 => taught::interpolate::<f64>(points, w, attribute, at),
     })
 }
 

@@ -75,6 +75,12 @@ const TOPICS: &[(&str, &[Topic])] = &[
     ("frustum-culling", &[at(TUZLA, "Culling"), at(SLOVENE, "Izločanje predmetov izven prostora pogleda")]),
     ("bvh", &[at(SLOVENE, "Izločanje predmetov izven prostora pogleda")]),
     ("scanline", &[at(TUZLA, "Rasterizacija trougla"), at(RUSSIAN, "«Стандартный» алгоритм")]),
+    ("aabb", &[at(RUSSIAN, "AABB-алгоритм"), at(SLOVENE, "Rasterizacija")]),
+    ("backtracking", &[at(RUSSIAN, "Backtracking-алгоритм")]),
+    ("zigzag", &[at(RUSSIAN, "Zigzag-алгоритм")]),
+    ("tiled", &[at(SLOVENE, "Rasterizacija")]),
+    ("edge-table", &[at(ESTONIAN, "Ridahaaval töötlemine")]),
+    ("stencil", &[at(SLOVENE, "Test šablone")]),
     (
         "z-buffer",
         &[
@@ -84,6 +90,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
             at(SLOVENE, "Test globine"),
         ],
     ),
+    ("blend", &[at(SLOVENE, "Mešanje")]),
 ];
 
 impl LabInfo {

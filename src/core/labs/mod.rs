@@ -6,6 +6,7 @@
 //! a line in [`ALL`], and for a new family a line in [`LabInput`].
 
 mod back_face;
+mod blend;
 mod bvh;
 mod clip_convex;
 mod clip_line;
@@ -13,16 +14,19 @@ mod clip_plane;
 mod clip_point;
 mod clip_polygon;
 mod clip_triangle;
+mod fill_polygon;
+mod fill_triangle;
 mod frustum_culling;
 mod lectures;
 mod pipeline;
-mod scanline;
+mod stencil;
 mod transform;
 mod z_buffer;
 
 pub use self::lectures::Topic;
 pub use self::{
     back_face::BackFace,
+    blend::{Blend, Layer},
     bvh::{Bvh, Over},
     clip_convex::ClipConvex,
     clip_line::ClipLine,
@@ -30,9 +34,11 @@ pub use self::{
     clip_point::ClipPoint,
     clip_polygon::ClipPolygon,
     clip_triangle::{ClipTriangle, Planes},
+    fill_polygon::FillPolygon,
+    fill_triangle::FillTriangle,
     frustum_culling::FrustumCulling,
     pipeline::Pipeline,
-    scanline::Scanline,
+    stencil::{Order, Stencil},
     transform::Transform,
     z_buffer::ZBuffer,
 };
@@ -107,8 +113,15 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<ClipTriangle>("clip-triangle", Stage::Clip),
     LabInfo::new::<ClipPolygon>("sutherland-hodgman", Stage::Clip),
     LabInfo::new::<ClipPolygon>("weiler-atherton", Stage::Clip),
-    LabInfo::new::<Scanline>("scanline", Stage::ScanConversion),
+    LabInfo::new::<FillTriangle>("scanline", Stage::ScanConversion),
+    LabInfo::new::<FillTriangle>("aabb", Stage::ScanConversion),
+    LabInfo::new::<FillTriangle>("backtracking", Stage::ScanConversion),
+    LabInfo::new::<FillTriangle>("zigzag", Stage::ScanConversion),
+    LabInfo::new::<FillTriangle>("tiled", Stage::ScanConversion),
+    LabInfo::new::<FillPolygon>("edge-table", Stage::ScanConversion),
+    LabInfo::new::<Stencil>("stencil", Stage::Stencil),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
+    LabInfo::new::<Blend>("blend", Stage::Blend),
 ];
 
 /// The lab of that name.
@@ -254,10 +267,16 @@ families! {
     ClipConvex
     /// Polygons against a window.
     ClipPolygon
-    /// One triangle, row by row.
-    Scanline
+    /// One triangle and its pixels.
+    FillTriangle
+    /// A polygon, row by row.
+    FillPolygon
+    /// The stencil test, draw by draw.
+    Stencil
     /// Triangles, fragment by fragment.
     ZBuffer
+    /// Layers over one pixel.
+    Blend
     /// One vertex through all the spaces.
     Transform
     /// One triangle: does the eye see its back?
@@ -326,6 +345,18 @@ pub fn play(scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message>
 /// The lab finds nothing in the scene that it could run.
 fn nothing_to_step(input: &impl Family) -> Message {
     Message::new("error-nothing-to-step").with("lab", Value::text(input.name()))
+}
+
+/// Most pixels of a scene whose fragments are stepped; of larger ones only a lab's own triangles are.
+const MOST_PIXELS: u64 = 256 * 256;
+
+/// Refuses a scene of too many pixels to step through.
+fn refuse_large(scene: &Scene) -> Result<(), Message> {
+    let [width, height] = scene.size.map(u64::from);
+    if width * height > MOST_PIXELS {
+        return Err(Message::new("error-too-large-to-step").with("most", 256));
+    }
+    Ok(())
 }
 
 /// The scene's conventions of scan conversion.

@@ -5,7 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use super::sign::Sign;
 
 /// The unit roundoff of f64, 2^-53: rounding to nearest changes a normal result by at most this factor.
-pub(super) const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+pub(crate) const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
 /// Makes up for the roundings within the computation of a bound.
 ///

@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 /// The arithmetic a stage computes in; part of the document, one choice per stage.
 ///
 /// `F32` and `F64` follow the textbook's order of operations and round after each; f64 results are
-/// rounded to f32 at the end of the stage. `Fixed8` has eight fractional bits and exists for scan
-/// conversion only.
+/// rounded to f32 at the end of the stage. Fixed point exists for scan conversion only: it snaps the
+/// vertices and is exact then, so that everything else is exact in it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Arithmetic {
@@ -23,11 +23,17 @@ pub enum Arithmetic {
     /// Fixed point with eight fractional bits, as graphics hardware snaps vertices.
     #[serde(rename = "fixed-8")]
     Fixed8,
+    /// Fixed point with four fractional bits, as older graphics hardware.
+    #[serde(rename = "fixed-4")]
+    Fixed4,
+    /// Whole pixels: no fractional bit.
+    #[serde(rename = "fixed-0")]
+    Fixed0,
 }
 
 impl Arithmetic {
     /// Every arithmetic, in the order in which menus show them.
-    pub const ALL: [Self; 4] = [Self::Exact, Self::F32, Self::F64, Self::Fixed8];
+    pub const ALL: [Self; 6] = [Self::Exact, Self::F32, Self::F64, Self::Fixed8, Self::Fixed4, Self::Fixed0];
 
     /// The name on the command line and in documents.
     #[must_use]
@@ -37,13 +43,40 @@ impl Arithmetic {
             Self::F32 => "f32",
             Self::F64 => "f64",
             Self::Fixed8 => "fixed-8",
+            Self::Fixed4 => "fixed-4",
+            Self::Fixed0 => "fixed-0",
         }
     }
 
-    /// Whether algorithms other than scan conversion answer exactly in it: fixed point is for that alone.
+    /// Whether nothing is rounded in it but, by fixed point, the vertices of scan conversion.
     #[must_use]
     pub const fn is_exact(self) -> bool {
-        matches!(self, Self::Exact | Self::Fixed8)
+        !matches!(self, Self::F32 | Self::F64)
+    }
+
+    /// Fractional bits of the vertices of scan conversion; `None`: they are not snapped.
+    #[must_use]
+    pub const fn sub_pixel_bits(self) -> Option<u8> {
+        match self {
+            Self::Exact | Self::F32 | Self::F64 => None,
+            Self::Fixed8 => Some(8),
+            Self::Fixed4 => Some(4),
+            Self::Fixed0 => Some(0),
+        }
+    }
+
+    /// A coordinate in pixels as scan conversion takes it: the nearest multiple of 1/2^bits, ties to
+    /// even, or the coordinate itself. Exact, since every f32 from 2^24 on is a whole number; zero is
+    /// always 0.0.
+    #[must_use]
+    pub fn snap(self, coordinate: f32) -> f32 {
+        match self.sub_pixel_bits() {
+            Some(bits) if coordinate.abs() < 16_777_216.0 => {
+                let steps = f32::from(1_u16 << bits);
+                (coordinate * steps).round_ties_even() / steps + 0.0
+            }
+            _ => coordinate,
+        }
     }
 
     /// Message id of its name.
@@ -54,6 +87,8 @@ impl Arithmetic {
             Self::F32 => "word-arithmetic-f32",
             Self::F64 => "word-arithmetic-f64",
             Self::Fixed8 => "word-arithmetic-fixed-8",
+            Self::Fixed4 => "word-arithmetic-fixed-4",
+            Self::Fixed0 => "word-arithmetic-fixed-0",
         }
     }
 

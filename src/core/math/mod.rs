@@ -37,6 +37,7 @@ pub mod ulp;
 mod testing;
 
 pub use approx::Approx;
+pub(crate) use approx::UNIT_ROUNDOFF;
 pub use arithmetic::{Arithmetic, Real};
 pub use dyadic::Dyadic;
 pub use expansion::Expansion;

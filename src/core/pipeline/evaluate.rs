@@ -32,7 +32,7 @@ impl Outputs {
     pub fn triangles(&self) -> impl Iterator<Item = ScreenTriangle> {
         (0..).zip(&self.draws).flat_map(|(index, draw)| {
             let drawn = draw.clipped().pieces.iter().filter(|piece| !piece.carried);
-            drawn.map(move |piece| ScreenTriangle::new(index, draw, piece))
+            drawn.map(move |piece| ScreenTriangle::new(index, draw.screen(), piece))
         })
     }
 }

@@ -5,7 +5,7 @@ use super::{
     draw::DrawOutputs,
     frame::stored_depth,
     shader::{Color, Shader},
-    stages::Piece,
+    stages::{Piece, Point},
     stats::Reason,
 };
 use crate::{
@@ -37,15 +37,7 @@ impl FragmentState {
     /// The stencil test, then the depth test `depth`, if the draw has one; the stencil value follows.
     #[inline]
     pub(super) fn test(&self, stencil: &mut u8, depth: impl FnOnce() -> bool) -> StencilOutcome {
-        let outcome = match &self.stencil {
-            Some(state) if !state.passes(*stencil) => StencilOutcome::Fail,
-            _ if !self.depth.test || depth() => StencilOutcome::Pass,
-            _ => StencilOutcome::DepthFail,
-        };
-        if let Some(state) = &self.stencil {
-            *stencil = state.after(outcome, *stencil);
-        }
-        outcome
+        StencilState::test(self.stencil.as_ref(), stencil, || !self.depth.test || depth())
     }
 }
 
@@ -346,8 +338,8 @@ pub struct ScreenTriangle {
 }
 
 impl ScreenTriangle {
-    pub(super) fn new(draw: u32, outputs: &DrawOutputs, piece: &Piece) -> Self {
-        let corners = piece.corners.map(|i| outputs.screen()[i as usize]);
+    pub(super) fn new(draw: u32, screen: &[Point], piece: &Piece) -> Self {
+        let corners = piece.corners.map(|i| screen[i as usize]);
         Self {
             vertices: corners.map(|[x, y, z, _]| [x, y, z]),
             r: corners.map(|[.., r]| r),

@@ -6,6 +6,7 @@
 //! out has a switch in [`Skips`] and a counter in [`Stats`], and never changes the image.
 
 mod draw;
+mod enlarged;
 mod evaluate;
 mod fragments;
 mod frame;
@@ -20,6 +21,7 @@ mod stages;
 mod stats;
 
 pub use draw::{DrawOutputs, DrawRuns};
+pub use enlarged::enlarged_triangles;
 pub use evaluate::{Outputs, Pipeline};
 pub use fragments::ScreenTriangle;
 pub use frame::Frame;

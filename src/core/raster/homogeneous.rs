@@ -13,7 +13,10 @@ use super::{
     aabb::Aabb,
     edge::centre,
     first_centre,
-    traversal::{Area, Event, Traversal, probe::Probe},
+    traversal::{
+        Area, Event, Traversal,
+        probe::{Line, Probe, RowLine, by_lines, in_doubt},
+    },
 };
 use crate::{
     math::{Approx, Arithmetic, Dyadic, Real, Sign, Tally, orient3d_homogeneous},
@@ -67,9 +70,9 @@ pub fn fill_traced<T: Tracer<Event>>(
     let form = Form { vertices, near, turned, ties };
     let counts = match settings.arithmetic {
         _ if area.is_empty() => Counts::default(),
-        Arithmetic::Exact | Arithmetic::Fixed8 => Aabb::walk(&area, &mut Exact { form, tally }, t, emit),
         Arithmetic::F32 => Aabb::walk(&area, &mut Taught::<f32>::new(form), t, emit),
         Arithmetic::F64 => Aabb::walk(&area, &mut Taught::<f64>::new(form), t, emit),
+        _ => Aabb::walk(&area, &mut Exact::new(form, settings.size[0], tally), t, emit),
     };
     t.emit(|| Event::Done);
     counts
@@ -125,11 +128,29 @@ fn draws_ties([with_x, with_y]: [Sign; 2], settings: &Settings) -> bool {
 /// The bit of the near plane among those of the edges.
 const NEAR: u8 = 0b1000;
 
-/// Exact signs.
+/// a, b and c of each edge function `a x + b y + c`, turned so that inside is positive: the columns of
+/// the adjugate.
+fn functions<R: Real>(form: Form) -> [[R; 3]; 3] {
+    let turn = |value: R| if form.turned.is_negative() { -value } else { value };
+    [0, 1, 2].map(|edge| {
+        let [p, q] = ends(form.vertices, edge).map(|vertex| vertex.map(R::from_f32));
+        [[1, 2], [2, 0], [0, 1]].map(|[i, j]| turn(p[i] * q[j] - p[j] * q[i]))
+    })
+}
+
+/// Exact signs. The coefficients are differences of exact products, so each is rounded once.
 #[derive(Debug)]
 struct Exact<'a> {
     form: Form,
+    lines: [Line; 3],
     tally: &'a mut Tally,
+}
+
+impl<'a> Exact<'a> {
+    /// For the columns `0..width`.
+    fn new(form: Form, width: u32, tally: &'a mut Tally) -> Self {
+        Self { form, lines: functions(form).map(|function| Line::new(function, width)), tally }
+    }
 }
 
 impl Exact<'_> {
@@ -163,16 +184,20 @@ where
 }
 
 impl Probe for Exact<'_> {
-    type Row = ();
+    type Row = [RowLine; 3];
 
-    fn row(&mut self, _: u32) {}
+    #[inline]
+    fn row(&mut self, y: u32) -> [RowLine; 3] {
+        self.lines.map(|line| line.row(y))
+    }
 
-    fn keeps_out(&mut self, (): &(), x: u32, y: u32) -> u8 {
+    #[inline]
+    fn keeps_out(&mut self, row: &[RowLine; 3], x: u32, y: u32) -> u8 {
         let near = match self.form.near {
             Some(near) => u8::from(!self.is_behind_near(centre(x, y), near)) * NEAR,
             None => 0,
         };
-        (0..3).fold(near, |bits, edge| bits | u8::from(!self.draws(edge, x, y)) << edge)
+        near | by_lines(row, x, self.tally).unwrap_or_else(|| in_doubt(self, row, [x, y]))
     }
 
     fn gradient(&self, edge: usize) -> [Sign; 2] {
@@ -192,7 +217,6 @@ impl Probe for Exact<'_> {
 #[derive(Debug)]
 struct Taught<R> {
     form: Form,
-    /// a, b and c of each edge function, turned so that inside is positive.
     functions: [[R; 3]; 3],
     /// The same of 1/w, and the determinant.
     inverse_w: [R; 3],
@@ -201,11 +225,7 @@ struct Taught<R> {
 
 impl<R: Real> Taught<R> {
     fn new(form: Form) -> Self {
-        let turn = |value: R| if form.turned.is_negative() { -value } else { value };
-        let functions = [0, 1, 2].map(|edge| {
-            let [p, q] = ends(form.vertices, edge).map(|vertex| vertex.map(R::from_f32));
-            [[1, 2], [2, 0], [0, 1]].map(|[i, j]| turn(p[i] * q[j] - p[j] * q[i]))
-        });
+        let functions = functions(form);
         let [u, v, w] = functions;
         let inverse_w = [0, 1, 2].map(|i| u[i] + v[i] + w[i]);
         let [a, _, _] = form.vertices.map(|vertex| vertex.map(R::from_f32));
@@ -223,6 +243,7 @@ impl<R: Real> Probe for Taught<R> {
 
     fn row(&mut self, _: u32) {}
 
+    #[inline]
     fn keeps_out(&mut self, (): &(), x: u32, y: u32) -> u8 {
         let inverse_w = Self::at(self.inverse_w, centre(x, y));
         let near = match self.form.near {
@@ -236,8 +257,9 @@ impl<R: Real> Probe for Taught<R> {
         gradient(self.form.vertices, edge, self.form.turned)
     }
 
+    #[inline]
     fn draws(&mut self, edge: usize, x: u32, y: u32) -> bool {
         let value = Self::at(self.functions[edge], centre(x, y));
-        value > R::ZERO || value == R::ZERO && self.form.ties[edge]
+        (value > R::ZERO) | ((value == R::ZERO) & self.form.ties[edge])
     }
 }

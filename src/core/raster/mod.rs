@@ -8,6 +8,7 @@
 pub mod aabb;
 pub mod backtracking;
 pub(crate) mod edge;
+pub mod edge_table;
 pub mod homogeneous;
 pub mod scanline;
 pub mod tiled;
@@ -149,7 +150,7 @@ pub struct Settings {
     pub fill_rule: FillRule,
     /// Which way the vertices' y and the rows grow.
     pub y_axis: YAxis,
-    /// What edges are computed in. `Fixed8` snaps the vertices to 1/256 pixel, then is exact.
+    /// What edges are computed in. Fixed point snaps the vertices, then is exact.
     pub arithmetic: Arithmetic,
     /// The skip `row`: leave a row after its last pixel. Changes nothing but the count.
     pub skip_row: bool,
@@ -169,22 +170,8 @@ impl Settings {
 
     /// The vertices that are rasterized: as given, or snapped by fixed point.
     pub fn vertices(&self, vertices: [[f32; 2]; 3]) -> [[f32; 2]; 3] {
-        match self.arithmetic {
-            Arithmetic::Fixed8 => vertices.map(|vertex| vertex.map(snap)),
-            Arithmetic::Exact | Arithmetic::F32 | Arithmetic::F64 => vertices,
-        }
+        vertices.map(|vertex| vertex.map(|coordinate| self.arithmetic.snap(coordinate)))
     }
-}
-
-/// The nearest multiple of 1/256, ties to even; exact, since every f32 from 2^16 on is one.
-///
-/// Valid for all finite coordinates. Zero is always 0.0.
-pub fn snap(coordinate: f32) -> f32 {
-    const STEPS: f32 = 256.0;
-    if coordinate.abs() >= 65536.0 {
-        return coordinate;
-    }
-    (coordinate * STEPS).round_ties_even() / STEPS + 0.0
 }
 
 /// Pixels `begin..end` of a row; never empty.
@@ -277,8 +264,12 @@ pub fn rows(
 /// Exact for every f32, infinities included; a NaN gives 0.
 #[inline]
 pub(crate) fn first_centre(coordinate: f64, open: bool, limit: u32) -> u32 {
-    let shifted = coordinate - 0.5;
-    let first = if open { shifted.floor() + 1.0 } else { shifted.ceil() };
-    // `as` saturates, so far off the image is still off the image.
-    (first as u32).min(limit)
+    let limit = i64::from(limit);
+    // Without a call where the processor has no instruction for floor and ceil.
+    let shifted = (coordinate - 0.5).clamp(-1.0, limit as f64 + 1.0);
+    let toward_zero = shifted as i64;
+    let back = toward_zero as f64;
+    let first =
+        if open { toward_zero + i64::from(back <= shifted) } else { toward_zero + i64::from(back < shifted) };
+    first.clamp(0, limit) as u32
 }

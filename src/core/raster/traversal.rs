@@ -219,11 +219,9 @@ pub fn fill_traced<A: Traversal, T: Tracer<Event>>(
         Counts::default()
     } else {
         match settings.arithmetic {
-            Arithmetic::Exact | Arithmetic::Fixed8 => {
-                A::walk(&area, &mut Exact::new(edges, area.columns.end, tally), t, emit)
-            }
             Arithmetic::F32 => A::walk(&area, &mut Taught::<f32>::new(edges), t, emit),
             Arithmetic::F64 => A::walk(&area, &mut Taught::<f64>::new(edges), t, emit),
+            _ => A::walk(&area, &mut Exact::new(edges, area.columns.end, tally), t, emit),
         }
     };
     t.emit(|| Event::Done);

@@ -95,7 +95,7 @@ pub(crate) fn each_finite(values: &[f32]) -> Checked {
 }
 
 /// Whether all values lie in 0..=1, as colours must.
-pub(super) fn each_in_unit(values: &[f32]) -> Checked {
+pub(crate) fn each_in_unit(values: &[f32]) -> Checked {
     each(values, unit)
 }
 

@@ -3,14 +3,20 @@
 //! A lab says what of the document can be dragged and chosen. Running, stepping, listing,
 //! inspector and painting are the shell's, the same for all.
 
+mod aabb;
 mod back_face;
+mod backtracking;
+mod blend;
 mod bvh;
 mod clip_line;
 mod clip_plane;
 mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
+mod corners;
 mod cyrus_beck;
+mod edge_table;
+mod fill_triangle;
 mod frustum_culling;
 mod liang_barsky;
 mod midpoint;
@@ -20,11 +26,14 @@ mod pipeline;
 mod placing;
 mod point_clipping;
 mod scanline;
+mod stencil;
 mod sutherland_hodgman;
+mod tiled;
 mod transform;
 mod weiler_atherton;
 mod window;
 mod z_buffer;
+mod zigzag;
 
 use crate::{
     document::{Document, ViewState},
@@ -98,6 +107,11 @@ fn count(markers: &[(usize, Marker)], role: Role) -> usize {
     markers.iter().filter(|(_, marker)| marker.role == role).count()
 }
 
+/// How many plain marks the timeline has: one for each span.
+fn count_plain(markers: &[(usize, Marker)]) -> usize {
+    markers.iter().filter(|(_, marker)| marker.role == Role::Neutral && marker.label.is_none()).count()
+}
+
 /// What is open, to be edited.
 #[derive(Debug)]
 pub(crate) struct Open<'a> {
@@ -148,7 +162,14 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(clip_triangle::ClipTriangle),
         Box::new(sutherland_hodgman::LAB),
         Box::new(weiler_atherton::LAB),
-        Box::new(scanline::Scanline),
+        Box::new(scanline::LAB),
+        Box::new(aabb::LAB),
+        Box::new(backtracking::LAB),
+        Box::new(zigzag::LAB),
+        Box::new(tiled::LAB),
+        Box::new(edge_table::EdgeTable),
+        Box::new(stencil::Stencil),
         Box::new(z_buffer::ZBuffer),
+        Box::new(blend::Blend),
     ]
 }

@@ -193,12 +193,14 @@ impl Canvas {
         let Some(placement) = self.placement else { return };
         let plane = Plane { rect, placement, y_up: drawing.view.y_up };
         let shown = self.move_handles(ui, &plane, &handles, camera.map(|camera| (camera, &solid[..])), open);
-        let flat = !overview && camera.is_none();
         let here = background.contains_pointer() || shown.iter().any(|(at, _)| at.contains_pointer());
-        let on = ui.ctx().pointer_hover_pos().filter(|at| flat && here && rect.contains(*at));
-        let thing = on.and_then(|at| halo::pointed(&plane, drawing.marks, drawing.view, at));
+        let on = ui.ctx().pointer_hover_pos().filter(|at| !overview && here && rect.contains(*at));
+        // Marks in space are looked for only while somebody points at something.
+        let pointed = on.is_some() || face.links.now().is_some();
+        let marks = space::seen(drawing.marks, drawing.vantage.filter(|_| pointed), camera.as_ref());
+        let thing = on.and_then(|at| halo::pointed(&plane, &marks, drawing.view, at));
         thing.into_iter().for_each(|thing| face.links.point_at(thing));
-        halo::under(ui.painter(), face, &plane, drawing.marks);
+        halo::under(ui.painter(), face, &plane, &marks);
         let figure = self.figure(drawing, camera, placement, rect.size(), face);
         paint::figure(ui.painter(), textures, rect.min, figure);
         if on.is_none() {

@@ -182,6 +182,15 @@ fn a_row_of_the_span_table_is_a_row_of_pixels() {
 }
 
 #[test]
+fn a_vertex_in_space_is_a_row_of_its_table() {
+    let mut window = window_with("clip-plane");
+    let vertex = place(&window, "v1").center();
+    window.hover_at(vertex);
+    window.run();
+    assert_eq!(window.state().app().links.now(), Some(&Thing::Name("v1".into())));
+}
+
+#[test]
 fn less_motion_is_kept() {
     let mut first = window(1280.0, 720.0);
     assert!(first.ctx.global_style().animation_time > 0.0);

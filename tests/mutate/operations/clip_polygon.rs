@@ -83,6 +83,27 @@ fn turn([a, b, c]: [&Place; 3]) -> i32 {
     )
 }
 
+/// The order of two places along an axis.
+fn order(a: &Place, b: &Place, axis: usize) -> i32 {
+    sign(&(&b[axis] * &a[2] - &a[axis] * &b[2]))
+}
+
+/// The same outline without given corners that repeat or at which it goes straight on. The sign of a
+/// zero is no place: one sign, so that the same corner stays.
+fn simplified(mut polygon: Vec<Point>) -> Vec<Point> {
+    polygon.iter_mut().flatten().for_each(|coordinate| *coordinate += 0.0);
+    let is_idle = |polygon: &[Point], i: usize| {
+        let count = polygon.len();
+        let [a, b, c] = [i + count - 1, i, i + 1].map(|i| whole(polygon[i % count]));
+        polygon[(i + 1) % count] == polygon[i]
+            || turn([&a, &b, &c]) == 0 && (0..2).any(|axis| order(&a, &b, axis) * order(&b, &c, axis) > 0)
+    };
+    while let Some(idle) = (0..polygon.len()).find(|&i| is_idle(&polygon, i)) {
+        polygon.remove(idle);
+    }
+    polygon
+}
+
 /// How often an outline winds around a point; `None` if the point lies on it.
 fn winding(outline: &[Place], around: &Place) -> Option<i32> {
     let mut count = 0;
@@ -160,10 +181,16 @@ fn check(words: &[u32]) -> Result<u64, String> {
         windings.push(expected[0]);
     }
     let bits = |corners: &[Corner]| -> Vec<_> { corners.iter().map(|c| c.at.map(f32::to_bits)).collect() };
+    let unsigned = |corners: &[Corner]| -> Vec<_> {
+        corners.iter().map(|c| c.at.map(|coordinate| (coordinate + 0.0).to_bits())).collect()
+    };
     let reversed: Vec<Point> = polygon.iter().rev().copied().collect();
     let mut back = bits(&corners(&reversed, order));
     back.reverse();
     same("from the other direction", &rotated(back), &rotated(bits(&result)))?;
+    let fewer = simplified(polygon.clone());
+    let fewer = if fewer.len() < 3 { Vec::new() } else { unsigned(&corners(&fewer, order)) };
+    same("without idle corners", &rotated(unsigned(&result)), &rotated(fewer))?;
     let usual = bits(&corners(&polygon, SideOrder::default()));
     let fast: Vec<_> = clip(&polygon, &window).iter().map(|p| p.map(f32::to_bits)).collect();
     same("the fast call", &fast, &usual)?;

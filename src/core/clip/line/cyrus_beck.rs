@@ -128,9 +128,9 @@ pub fn clip_traced<T: Tracer<Event>>(
     t: &mut T,
 ) -> Option<Visible> {
     match arithmetic {
-        Arithmetic::Exact | Arithmetic::Fixed8 => run(Exact::new(segment, window, tally), t),
         Arithmetic::F32 => clip_taught::<f32, T>(segment, window, t),
         Arithmetic::F64 => clip_taught::<f64, T>(segment, window, t),
+        _ => run(Exact::new(segment, window, tally), t),
     }
 }
 

@@ -29,7 +29,7 @@ impl Subject {
 
     /// Whether the run answers exactly.
     pub(super) fn is_exact(&self) -> bool {
-        matches!(self.arithmetic, Arithmetic::Exact | Arithmetic::Fixed8)
+        self.arithmetic.is_exact()
     }
 
     /// Moves an end; returns where it was.

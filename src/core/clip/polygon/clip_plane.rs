@@ -135,9 +135,9 @@ pub fn clip_traced<T: Tracer<Event>>(
     t: &mut T,
 ) -> Outcome {
     match arithmetic {
-        Arithmetic::Exact | Arithmetic::Fixed8 => run(&mut Exact::new(vertices, plane, tally), t),
         Arithmetic::F32 => run(&mut Taught::<f32>::new(vertices, plane), t),
         Arithmetic::F64 => run(&mut Taught::<f64>::new(vertices, plane), t),
+        _ => run(&mut Exact::new(vertices, plane, tally), t),
     }
 }
 

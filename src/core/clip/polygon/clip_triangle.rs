@@ -297,7 +297,7 @@ fn clip<R: Region, T: Tracer<Event>>(
     match subject.settings.arithmetic {
         Arithmetic::F32 => clip_taught::<f32, _, _>(given, region, planes, order, t),
         Arithmetic::F64 => clip_taught::<f64, _, _>(given, region, planes, order, t),
-        Arithmetic::Exact | Arithmetic::Fixed8 => {
+        _ => {
             let polygon = clip_exact(vertices, region, planes, tally, t);
             let attribute = |corner: &Corner| TaughtCorner {
                 corner: *corner,

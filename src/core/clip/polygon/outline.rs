@@ -174,7 +174,7 @@ impl<'a> Given<'a> {
 
     /// Whether this coordinate stays the same along a carrier.
     #[inline]
-    fn is_level(&self, carrier: Carrier, axis: usize) -> bool {
+    pub(super) fn is_level(&self, carrier: Carrier, axis: usize) -> bool {
         match carrier {
             Carrier::Border(border) => border.axis() == axis,
             Carrier::Edge(edge) => {
@@ -206,9 +206,10 @@ impl<'a> Given<'a> {
             if turns {
                 return false;
             }
-            let ([p, end], [start, r]) = (self.edge(i), self.edge(j));
+            // What was dropped before lies on their lines: `b` is where the first one ends, and the second
+            // one starts there or further on.
+            let ([p, end], [_, r]) = (self.edge(i), self.edge(j));
             return end == b.at
-                && start == b.at
                 && orient2d(p, b.at, r, tally).is_zero()
                 && (onward(p, b.at, 0, r) || onward(p, b.at, 1, r));
         }
@@ -242,6 +243,7 @@ impl<'a> Given<'a> {
             }
             if kept > 1 && self.is_straight([&corners[kept - 2], &corners[kept - 1], &corner], turns, tally) {
                 kept -= 1;
+                corners[kept - 1].next = corners[kept].next;
                 dropped(kept, Why::Straight);
             }
             corners[kept] = corner;
@@ -266,18 +268,17 @@ impl<'a> Given<'a> {
     ) {
         while corners.len() > 2 {
             let last = corners.len() - 1;
-            if corners[last].at == corners[0].at {
-                drop_corner(corners, last, Why::Repeats);
-                dropped(last, Why::Repeats);
+            let (index, why) = if corners[last].at == corners[0].at {
+                (last, Why::Repeats)
             } else if self.is_straight([&corners[last - 1], &corners[last], &corners[0]], turns, tally) {
-                corners.pop();
-                dropped(last, Why::Straight);
+                (last, Why::Straight)
             } else if self.is_straight([&corners[last], &corners[0], &corners[1]], turns, tally) {
-                corners.remove(0);
-                dropped(0, Why::Straight);
+                (0, Why::Straight)
             } else {
                 return;
-            }
+            };
+            drop_corner(corners, index, why);
+            dropped(index, why);
         }
     }
 
@@ -314,19 +315,25 @@ pub enum Why {
     NoArea,
 }
 
-/// Drops one corner from an outline; a corner at the same place takes over its edge.
+/// Drops one corner from an outline. A corner at the same place takes over its edge; where the outline
+/// goes straight on, the corner before it does.
 pub(super) fn drop_corner(corners: &mut Vec<Corner>, index: usize, why: Why) {
     let corner = corners.remove(index);
-    if why == Why::Repeats && !corners.is_empty() {
-        if index > 0 && corners[index - 1].at == corner.at {
-            corners[index - 1].absorb(&corner);
-        } else {
-            let twin = index % corners.len();
-            let twin = &mut corners[twin];
+    if corners.is_empty() {
+        return;
+    }
+    let before = index.checked_sub(1).unwrap_or(corners.len() - 1);
+    match why {
+        Why::Repeats if corners[before].at == corner.at => corners[before].absorb(&corner),
+        Why::Repeats => {
+            let after = index % corners.len();
+            let twin = &mut corners[after];
             let next = twin.next;
             twin.absorb(&corner);
             twin.next = next;
         }
+        Why::Straight => corners[before].next = corner.next,
+        Why::NoArea => {}
     }
 }
 

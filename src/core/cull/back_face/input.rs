@@ -175,9 +175,9 @@ impl Spaces {
     /// The numbers of a test in an arithmetic; `None` if it has no answer. Exact ones are rounded once.
     pub fn numbers(&self, test: Test, arithmetic: Arithmetic) -> Option<Numbers> {
         match arithmetic {
-            Arithmetic::Exact | Arithmetic::Fixed8 => self.numbers_in::<Dyadic>(test),
             Arithmetic::F32 => self.numbers_in::<f32>(test),
             Arithmetic::F64 => self.numbers_in::<f64>(test),
+            _ => self.numbers_in::<Dyadic>(test),
         }
     }
 

@@ -2,8 +2,11 @@
 
 use super::{Between, Counts, Event, Settings, Side, YAxis};
 use crate::{
-    math::{Arithmetic, Real, Sign, Tally},
-    raster::{Edge, edge::centre},
+    math::{Arithmetic, Real, Sign, Tally, UNIT_ROUNDOFF},
+    raster::{
+        Edge,
+        edge::{bisect, centre},
+    },
     trace::Tracer,
 };
 
@@ -17,6 +20,11 @@ pub(super) struct Bound<R> {
     /// The crossing with the row before, to which rounded arithmetic adds the slope.
     last: Option<R>,
 }
+
+/// Absolute error of a crossing `x0 + (y - y0) dx / dy` in binary64 relative to the magnitudes of its two
+/// terms: the second goes through six roundings (three differences, quotient, product, sum), and no more
+/// than (1 + u)^5 / (1 - u) - 1 < 7u is lost. Bound and comparison go through three more, so 8u will do.
+const CROSSING_ERROR: f64 = 8.0 * UNIT_ROUNDOFF;
 
 impl<R: Real> Bound<R> {
     pub(super) fn new(edge: Edge, name: Between, side: Side, start: [R; 2], slope: R) -> Self {
@@ -33,15 +41,26 @@ impl<R: Real> Bound<R> {
         counts: &mut Counts,
     ) -> u32 {
         let (name, side) = (self.name, self.side);
-        let x = self.crossing(y, settings);
+        let (x, error) = self.crossing(y, settings);
         t.emit(|| Event::Crossing { side, edge: name, x });
         // A tie belongs to the span if the edge draws it: then a left end begins at the tie and a
         // right end comes after it.
         let past_ties = self.edge.draws_ties == (side == Side::Right);
-        let guess = super::first_centre(x, past_ties, settings.size[0]);
-        let (end, tie) = match settings.arithmetic {
-            Arithmetic::Exact | Arithmetic::Fixed8 => self.certify(guess, y, settings.size[0], tally, counts),
-            Arithmetic::F32 | Arithmetic::F64 => (guess, centre_at(x, settings.size[0])),
+        let width = settings.size[0];
+        let guess = super::first_centre(x, past_ties, width);
+        let (end, tie) = if settings.arithmetic.is_exact() {
+            let signs = u64::from(guess > 0) + u64::from(guess < width);
+            // The centre before lies before the crossing, that of the end behind it, beyond any doubt.
+            let after = f64::from(guess) + 0.5;
+            if (guess == 0 || x - (after - 1.0) > error) && (guess == width || after - x > error) {
+                tally.calls += signs;
+                counts.tested += signs;
+                (guess, None)
+            } else {
+                self.certify(guess, y, width, tally, counts)
+            }
+        } else {
+            (guess, centre_at(x, width))
         };
         t.emit(|| Event::End { side, x: end, corrected: end != guess });
         if let Some(x) = tie {
@@ -51,21 +70,25 @@ impl<R: Real> Bound<R> {
         end
     }
 
-    fn crossing(&mut self, y: u32, settings: &Settings) -> f64 {
-        let along = |this: &Self| this.start[0] + (R::from_f32(y as f32 + 0.5) - this.start[1]) * this.slope;
+    /// Where the row meets the edge, and how far off that can be if it is not added up.
+    #[inline]
+    fn crossing(&mut self, y: u32, settings: &Settings) -> (f64, f64) {
+        let [x0, y0] = self.start;
+        let along = (R::from_f32(y as f32 + 0.5) - y0) * self.slope;
         let x = match (settings.arithmetic, self.last) {
             (Arithmetic::F32 | Arithmetic::F64, Some(last)) => match settings.y_axis {
                 YAxis::Down => last + self.slope,
                 YAxis::Up => last - self.slope,
             },
-            _ => along(self),
+            _ => x0 + along,
         };
         self.last = Some(x);
-        x.to_f64()
+        (x.to_f64(), CROSSING_ERROR * (x0.to_f64().abs() + along.to_f64().abs()))
     }
 
-    /// The end itself, by exact signs: nearly always the guess, else by bisection. And the pixel
+    /// The end itself, by exact signs where the crossing leaves a doubt: nearly always the guess, else by bisection. And the pixel
     /// whose centre lies exactly on the edge, if it is next to the end.
+    #[inline(never)]
     fn certify(
         &self,
         guess: u32,
@@ -83,16 +106,7 @@ impl<R: Real> Bound<R> {
         let mut end = guess;
         let (mut before, mut at) = (end.checked_sub(1).and_then(&mut sign), sign(end));
         if before.is_some_and(reached) || at.is_some_and(|sign| !reached(sign)) {
-            let (mut low, mut high) = (0, width);
-            while low < high {
-                let middle = low + (high - low) / 2;
-                if sign(middle).is_none_or(reached) {
-                    high = middle;
-                } else {
-                    low = middle + 1;
-                }
-            }
-            end = low;
+            end = bisect(width, |x| sign(x).is_none_or(reached));
             (before, at) = (end.checked_sub(1).and_then(&mut sign), sign(end));
         }
         let zero = |sign: Option<Sign>| sign.is_some_and(Sign::is_zero);

@@ -3,7 +3,6 @@
 use super::{Between, Event, Side, Snapshot};
 use crate::{
     explain::{Formula, Piece},
-    math::Arithmetic,
     message::Value,
     raster::{FillRule, YAxis},
 };
@@ -80,7 +79,7 @@ impl Snapshot {
 
     /// The crossing of the row before, if rounded arithmetic added the slope to it.
     fn last_crossing(&self, side: Side, edge: Between) -> Option<f64> {
-        if matches!(self.settings.arithmetic, Arithmetic::Exact | Arithmetic::Fixed8) {
+        if self.settings.arithmetic.is_exact() {
             return None;
         }
         let before = self.rows.iter().nth_back(1)?;

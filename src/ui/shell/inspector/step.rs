@@ -82,8 +82,11 @@ fn formula(ui: &mut Ui, face: &Face<'_>, pieces: &[Piece], general: bool) {
         let mut format =
             TextFormat::simple(look.font(Text::Mono), if general { look.dim } else { look.text });
         format.line_height = Some(look.line_height(Text::Mono));
+        // A value stays on one row; between values and signs a row may end.
+        let mut text = piece.text.clone();
         if piece.strong {
             format.font_id = look.font(Text::MonoStrong);
+            text = text.replace(' ', "\u{a0}");
         }
         if piece.highlighted {
             // On a dark ground yellow is the ink; on a light one it is the paper.
@@ -94,7 +97,7 @@ fn formula(ui: &mut Ui, face: &Face<'_>, pieces: &[Piece], general: bool) {
                 format.color = look.now;
             }
         }
-        job.append(&piece.text, 0.0, format);
+        job.append(&text, 0.0, format);
     }
     ui.label(job);
 }

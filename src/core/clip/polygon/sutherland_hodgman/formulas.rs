@@ -7,7 +7,6 @@ use super::{
 use crate::{
     clip::line::{Border, Point, Segment, Window, along, share},
     explain::{Formula, Piece},
-    math::Arithmetic,
     message::Value,
 };
 
@@ -40,7 +39,7 @@ impl Snapshot {
         else {
             return Vec::new();
         };
-        let exact = matches!(self.settings.arithmetic, Arithmetic::Exact | Arithmetic::Fixed8);
+        let exact = self.settings.arithmetic.is_exact();
         let ends = if exact { self.given_ends(edge) } else { self.standing_ends(edge) };
         let (fixed, free) = (border.axis(), 1 - border.axis());
         let [[a1, b1], [a2, b2]] = ends.map(|p| [p[fixed], p[free]]);

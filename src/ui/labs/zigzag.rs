@@ -1,0 +1,7 @@
+//! Edge functions, row by row from the middle.
+
+use super::fill_triangle::FillTriangle;
+use rasterscope_core::raster::Algorithm;
+
+/// The lab.
+pub(crate) const LAB: FillTriangle = FillTriangle(Algorithm::Zigzag);

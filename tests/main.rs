@@ -17,6 +17,7 @@ mod compute;
 mod compute_lines;
 mod coverage;
 mod cyrus_beck;
+mod engine;
 mod edge_table;
 mod frustum_culling;
 mod house;

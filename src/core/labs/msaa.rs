@@ -52,8 +52,8 @@ impl Family for Msaa {
     }
 
     fn check(&self, _: &Scene) -> Checked {
-        let triangles = self.triangles.iter().enumerate();
-        triangles.map(|(i, t)| each_row_finite(i, t).map_err(|e| e.within("triangles"))).collect()
+        let mut triangles = self.triangles.iter().enumerate();
+        triangles.try_for_each(|(i, t)| each_row_finite(i, t).map_err(|e| e.within("triangles")))
     }
 
     fn play(&self, scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {

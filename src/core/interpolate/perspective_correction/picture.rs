@@ -58,7 +58,7 @@ impl Snapshot {
 
     /// Where a share of the line and a height in 0..1 are in the plot.
     fn place(&self, share: f64, height: f64) -> [f32; 2] {
-        let [width, rows] = self.settings.size.map(|n| f64::from(n));
+        let [width, rows] = self.settings.size.map(f64::from);
         let (low, high) = (rows * (1.0 + f64::from(PLOT) * 0.93), rows * (1.0 + f64::from(PLOT) * 0.12));
         let y = low + height * (high - low);
         let y = if self.settings.y_axis == YAxis::Up { rows - y } else { y };

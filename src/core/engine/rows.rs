@@ -71,7 +71,7 @@ impl Rows {
             rows.end[i] = right_high[i] & some;
         }
         if doubt != 0 {
-            rows = exact().rows(band, rows, [&left, &right], stats);
+            rows = exact().rows(band, rows, [[left_low, left_high], [right_low, right_high]], stats);
         }
         rows.extent();
         rows
@@ -109,29 +109,29 @@ pub(super) struct Exact {
 }
 
 impl Exact {
-    /// The rows of a band, each end where the interval left two answers found by exact signs.
+    /// The rows of a band, given the columns between which each of them begins and ends: where these differ, exact
+    /// signs decide.
     #[cold]
     #[inline(never)]
-    fn rows(&self, band: Band, rows: Rows, sides: [&[Wide; 2]; 2], stats: &mut Stats) -> Rows {
-        let mut rows = rows;
+    fn rows(&self, band: Band, mut rows: Rows, sides: [[[u32; LANES]; 2]; 2], stats: &mut Stats) -> Rows {
         let Some(Edges(edges)) = &self.edges else { return rows };
-        let asked = band.first.max(band.top)..band.last.min(band.top + LANES as u32);
-        for row in asked {
+        for row in band.first.max(band.top)..band.last.min(band.top + LANES as u32) {
             let i = (row - band.top) as usize;
-            let mut ends = [0, TILE as u32];
-            for (side, [low, high]) in sides.into_iter().enumerate() {
-                let [low, high] = [column(low)[i], column(high)[i]];
-                // Between the two columns the exact answer lies; NaN never comes here.
-                let range = [low.min(high), low.max(high)];
-                let bounding = edges
-                    .iter()
-                    .filter(|edge| edge.ends[0][1] != edge.ends[1][1] && edge.is_left() == (side == 0));
-                let found = bounding.map(|edge| self.end(edge, row, range, stats));
-                ends[side] = if side == 0 { found.max() } else { found.min() }.unwrap_or(ends[side]);
+            let [left, right] = sides.map(|[low, high]| [low[i], high[i]]);
+            if left[0] == left[1] && right[0] == right[1] {
+                continue;
             }
-            let some = ends[0] < ends[1];
-            rows.begin[i] = if some { ends[0] } else { 0 };
-            rows.end[i] = if some { ends[1] } else { 0 };
+            let (mut begin, mut end) = (left[0], right[1]);
+            for edge in edges.iter().filter(|edge| edge.ends[0][1] != edge.ends[1][1]) {
+                if edge.is_left() {
+                    begin = self.end(edge, row, [begin, left[1]], stats);
+                } else {
+                    end = self.end(edge, row, [right[0], end], stats);
+                }
+            }
+            let some = begin < end;
+            rows.begin[i] = if some { begin } else { 0 };
+            rows.end[i] = if some { end } else { 0 };
         }
         rows
     }

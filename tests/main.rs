@@ -16,6 +16,7 @@ mod compute_lines;
 mod coverage;
 mod cyrus_beck;
 mod frustum_culling;
+mod homogeneous;
 mod house;
 mod interpolate;
 mod liang_barsky;

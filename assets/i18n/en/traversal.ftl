@@ -43,8 +43,33 @@ column-traversal-centres = centres
 column-traversal-outside = outside
 column-traversal-inside = inside
 column-traversal-split = split
+traversal-ways = All ways over this triangle
+column-traversal-visited = visited
+column-traversal-tested = tested
+column-traversal-drawn = drawn
+column-traversal-wasted = wasted
+row-traversal-aabb = bounding box
+row-traversal-backtracking = backtracking
+row-traversal-zigzag = zigzag
+row-traversal-tiled = tiles
 row-traversal-box = in the box
 row-traversal-tested = tested
 row-traversal-drawn = drawn
 row-traversal-wasted = wasted
 row-traversal-skipped = skipped
+
+# Why one pixel is drawn or not. $kind is one of the four words below, $rule the name of the tie rule.
+
+pixel-in = The centre { $centre } lies inside all three edges: **drawn**.
+pixel-out = **{ $edge }** keeps the centre { $centre } **out**: its edge function is { $value } there.
+pixel-tie-drawn = The centre { $centre } lies exactly on **{ $edge }**, a { $kind } edge. The tie rule { $rule } decides: **drawn**.
+pixel-tie-lost = The centre { $centre } lies exactly on **{ $edge }**, a { $kind } edge. The tie rule { $rule } decides: **not drawn**.
+pixel-outside-box = The centre { $centre } lies outside the box around the corners, so it is **not looked at**.
+pixel-zero-area = The triangle has no area: it covers no pixel.
+pixel-wrongly-drawn = It is drawn, and that is wrong: exactly, from the vertices as given, it is not covered.
+pixel-wrongly-lost = It is not drawn, and that is wrong: exactly, from the vertices as given, it is covered.
+edge-left = left
+edge-right = right
+edge-top = top
+edge-bottom = bottom
+column-edge-kind = edge

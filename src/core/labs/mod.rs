@@ -15,6 +15,7 @@ mod clip_polygon;
 mod clip_triangle;
 mod fill_triangle;
 mod frustum_culling;
+mod homogeneous;
 mod lectures;
 mod pipeline;
 mod transform;
@@ -32,6 +33,7 @@ pub use self::{
     clip_triangle::{ClipTriangle, Planes},
     fill_triangle::FillTriangle,
     frustum_culling::FrustumCulling,
+    homogeneous::Homogeneous,
     pipeline::Pipeline,
     transform::Transform,
     z_buffer::ZBuffer,
@@ -112,6 +114,7 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<FillTriangle>("backtracking", Stage::ScanConversion),
     LabInfo::new::<FillTriangle>("zigzag", Stage::ScanConversion),
     LabInfo::new::<FillTriangle>("tiled", Stage::ScanConversion),
+    LabInfo::new::<Homogeneous>("homogeneous", Stage::ScanConversion),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
 ];
 
@@ -260,6 +263,8 @@ families! {
     ClipPolygon
     /// One triangle and its pixels.
     FillTriangle
+    /// One triangle with w, and its pixels.
+    Homogeneous
     /// Triangles, fragment by fragment.
     ZBuffer
     /// One vertex through all the spaces.

@@ -15,6 +15,7 @@ mod cohen_sutherland;
 mod cyrus_beck;
 mod fill_triangle;
 mod frustum_culling;
+mod homogeneous;
 mod liang_barsky;
 mod midpoint;
 mod nicholl_lee_nicholl;
@@ -158,6 +159,7 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(backtracking::LAB),
         Box::new(zigzag::LAB),
         Box::new(tiled::LAB),
+        Box::new(homogeneous::Homogeneous),
         Box::new(z_buffer::ZBuffer),
     ]
 }

@@ -12,7 +12,7 @@ homogeneous-near = The near plane, w = { $near }, is a **fourth edge**: its **{ 
 homogeneous-box-whole = A corner is not in front of the eye, so its quotient bounds nothing: **all { $count } centres** of the image are looked at.
 homogeneous-test-in = Centre ({ $x }, { $y }): every edge is positive, so 1/w is too. **Drawn**.
 homogeneous-test-near = Centre ({ $x }, { $y }): **N** is negative. The triangle is nearer than the near plane there: **out**.
-homogeneous-pixel-near = At the centre { $centre } the triangle is nearer than the near plane, w = { $near }: **N** keeps it **out**.
+homogeneous-pixel-near = **N** keeps it **out**: the triangle is nearer than w = { $near } there.
 homogeneous-marker-adjugate = adjugate
 homogeneous-coefficients = Coefficients
 homogeneous-at = Edges at the centre

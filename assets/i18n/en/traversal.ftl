@@ -60,14 +60,14 @@ row-traversal-skipped = skipped
 
 # Why one pixel is drawn or not. $kind is one of the four words below, $rule the name of the tie rule.
 
-pixel-in = The centre { $centre } lies inside all three edges: **drawn**.
-pixel-out = **{ $edge }** keeps the centre { $centre } **out**: its edge function is { $value } there.
-pixel-tie-drawn = The centre { $centre } lies exactly on **{ $edge }**, a { $kind } edge. The tie rule { $rule } decides: **drawn**.
-pixel-tie-lost = The centre { $centre } lies exactly on **{ $edge }**, a { $kind } edge. The tie rule { $rule } decides: **not drawn**.
-pixel-outside-box = The centre { $centre } lies outside the box around the corners, so it is **not looked at**.
+pixel-in = The centre lies inside all three edges: **drawn**.
+pixel-out = **{ $edge }** keeps it **out**: its edge function is { $value } there.
+pixel-tie-drawn = It lies on **{ $edge }**, a { $kind } edge: **drawn** by the tie rule { $rule }.
+pixel-tie-lost = It lies on **{ $edge }**, a { $kind } edge: **not drawn** by the tie rule { $rule }.
+pixel-outside-box = The centre lies outside the box around the corners: **not looked at**.
 pixel-zero-area = The triangle has no area: it covers no pixel.
-pixel-wrongly-drawn = It is drawn, and that is wrong: exactly, from the vertices as given, it is not covered.
-pixel-wrongly-lost = It is not drawn, and that is wrong: exactly, from the vertices as given, it is covered.
+pixel-wrongly-drawn = Drawn, and that is wrong: exactly, from the corners as given, it is not covered.
+pixel-wrongly-lost = Not drawn, and that is wrong: exactly, from the corners as given, it is covered.
 edge-left = left
 edge-right = right
 edge-top = top

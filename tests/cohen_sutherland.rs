@@ -5,7 +5,7 @@ use crate::support::{
 };
 use rasterscope_core::{
     clip::line::{
-        Kept, Mistake, Mistakes, Segment,
+        self, Kept, Mistake, Mistakes, Segment, clip_all,
         cohen_sutherland::{self as cs, Settings},
     },
     math::{Arithmetic, Tally, ulps_between},
@@ -89,9 +89,11 @@ fn many_at_once_are_the_same_as_one_by_one() {
         let segments: Vec<_> = (0..50).map(|_| line(&mut random).0).collect();
         let before = Kept { index: 7, segment: segments[0] };
         let (mut kept, mut expected) = (vec![before], vec![before]);
-        cs::clip_all(&segments, &window, &mut kept);
+        clip_all(&segments, &window, &mut kept);
         for (index, segment) in (0..).zip(&segments) {
             expected.extend(cs::clip(*segment, &window).map(|segment| Kept { index, segment }));
+            let bits = |part: Option<Segment>| part.map(|ends| ends.map(|p| p.map(f32::to_bits)));
+            assert_eq!(bits(line::clip(*segment, &window)), bits(cs::clip(*segment, &window)));
         }
         assert_eq!(kept, expected);
     }

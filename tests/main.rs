@@ -1,7 +1,9 @@
 //! Headless tests over core, figure and cli: laws that hold for every algorithm, golden logs,
 //! conformance. No display, no network, no clock.
 
+mod area_ratios;
 mod back_face;
+mod blend;
 mod bvh;
 mod cli;
 mod clip_line;
@@ -15,15 +17,23 @@ mod compute;
 mod compute_lines;
 mod coverage;
 mod cyrus_beck;
+mod edge_table;
+mod engine;
 mod frustum_culling;
 mod homogeneous;
 mod house;
 mod interpolate;
+mod lantern;
 mod liang_barsky;
+mod meshes;
 mod midpoint;
+mod msaa;
+mod multisample;
 mod nicholl_lee_nicholl;
 mod obj;
+mod perspective_correction;
 mod pipeline;
+mod plane_equation;
 mod point_clipping;
 mod polygon_presets;
 mod presets;
@@ -33,6 +43,7 @@ mod replay;
 mod scanline;
 mod scene;
 mod scene_errors;
+mod stencil;
 mod support;
 mod sutherland_hodgman;
 mod tour;

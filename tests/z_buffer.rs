@@ -1,13 +1,13 @@
 //! The z-buffer: laws, golden logs, and an oracle that asks every triangle at every pixel.
 
-use crate::support::{Coverage, Random, check_golden, check_laws, covered, log_text, plane_value};
+use crate::support::{Coverage, Random, check_golden, check_laws, covered, log_text, plane_code};
 use rasterscope_core::{
     depth::{
         CompareFunction, DepthFormat, DepthState,
         z_buffer::{self, Event, Image, Settings, Snapshot, Triangle},
     },
     explain::{Level, Mark},
-    math::{Arithmetic, Dyadic, Tally},
+    math::{Arithmetic, Tally},
     message::Value,
     raster::Algorithm,
     replay::{Budget, Playback},
@@ -90,11 +90,7 @@ fn nearest_triangle_wins_whatever_the_order() {
             for span in covered(triangle.map(|[x, y, _]| [x, y]), &settings.raster) {
                 for x in span.begin..span.end {
                     let stored = &mut nearest[(span.y * 9 + x) as usize];
-                    let (num, den) = plane_value(triangle, [x, span.y]);
-                    let code = match format.max_code() {
-                        None => Dyadic::ratio_to_f32(&num, &den).to_bits(),
-                        Some(max) => Dyadic::ratio_to_code(&num, &den, max),
-                    };
+                    let code = plane_code(triangle, [x, span.y], format);
                     if format.decode(code) < format.decode(*stored) {
                         *stored = code;
                     }

@@ -17,6 +17,14 @@ const APART: f64 = 22.0;
 /// The middle of the legend is so far from the foot.
 const FOOT: f64 = 15.0;
 
+/// Keeps the foot clear of labels if there will be a legend: in the window it is the readout's, too.
+pub(crate) fn reserve(canvas: &mut Canvas<'_>, marks: &[Mark]) {
+    if marks.iter().any(|mark| matches!(mark, Mark::Key { .. })) {
+        let Rect { min, max } = canvas.rect;
+        canvas.kept_clear.push(Rect { min: [min[0], max[1] - 2.0 * FOOT], max });
+    }
+}
+
 /// Draws the entries of the legend, as many as fit in one line.
 pub(crate) fn draw(canvas: &mut Canvas<'_>, marks: &[Mark]) {
     let theme = canvas.theme;

@@ -36,6 +36,12 @@ glossary-span = Span: the pixels of one row that a triangle covers, from the fir
 glossary-scanline-spans = { glossary-span }
 glossary-pixels = How many pixels: end minus first.
 glossary-dx-dy = Slope: how far an edge moves along x from one row to the next.
+glossary-winding = Winding number: how often the contours run around a point, in one direction less in the other. Even-odd: odd is inside. Non-zero: all but 0 is inside.
+glossary-y-first = The first row whose centre line the edge crosses.
+glossary-y-last = The last row whose centre line the edge crosses.
+glossary-begin = The first pixel of the span.
+glossary-edge-table-active = Active edges: those that the centre line of the row crosses, from left to right.
+glossary-edge-table-table = Edge table: every edge under the first row that it crosses.
 glossary-fill-rule = Tie rule: who draws a pixel whose centre lies exactly on an edge. With top-left, two neighbours draw it once and leave no hole.
 
 glossary-depth = Depth: how far away, from 0 at the near plane to 1 at the far plane, as the depth buffer sees it.

@@ -36,7 +36,7 @@ error-scene-far-before-near = { $path }: the far plane must lie beyond the near 
 error-scene-eye-is-target = { $path }: the camera looks at its own place. Move the target or the eye.
 error-scene-up-parallel = { $path }: "up" must not be zero or parallel to the line of sight.
 error-scene-too-many-pixels = { $path }: the image has too many pixels; at most { $limit } are possible.
-error-scene-samples = { $path }: only 1 sample in each pixel is possible so far.
+error-scene-samples = { $path }: a pixel has 1, 2, 4 or 8 samples.
 error-scene-not-triples = { $path }: without indices every three vertices are a triangle, but { $found } is no multiple of 3.
 error-scene-no-such-vertex = { $path }: there is no vertex { $index }; the { $vertices } vertices count from 0.
 error-scene-not-one-each = { $path }: there must be one for each of the { $vertices } vertices, not { $found }.
@@ -403,6 +403,52 @@ preset-tiles-huge = The triangle covers all of the image. One look at one tile o
 
 preset-tiles-against-box-name = Split: tiles against the box
 preset-tiles-against-box = A long thin triangle. The tiles look at few centres, the box at all of them.
+preset-stencil-outline-scale-name = Outline: scaled
+preset-stencil-outline-scale = The L is drawn and writes 1, is scaled about its centroid, and is drawn where the stencil is not 1. It is concave: in its notch the outline falls inside.
+
+preset-stencil-outline-normals-name = Outline: along normals
+preset-stencil-outline-normals = Each corner of the same L moves along its normal. Now the notch has its outline too, as wide as the other edges.
+
+preset-stencil-outline-pixels-name = Outline: in pixels
+preset-stencil-outline-pixels = Each corner moves by two pixels on the screen. An object farther away would have an outline of the same width.
+
+preset-stencil-outlines-overlap-name = Outlines of overlapping objects
+preset-stencil-outlines-overlap = Left each object writes a value of its own, so each has a whole outline. Right all write 1: one outline runs around both.
+
+preset-stencil-keyhole-name = Mask: a keyhole
+preset-stencil-keyhole = A writes 1. B is drawn only where the stencil is 1, C only where it is not.
+
+preset-stencil-even-odd-name = Even-odd by inverting
+preset-stencil-even-odd = Three triangles of a star that crosses itself invert one bit. Where an odd number met, B finds a 1 and fills it.
+
+preset-stencil-mirror-name = Mirror
+preset-stencil-mirror = The floor A writes 1. B is the object mirrored, drawn only on the floor; without the test it would hang below it.
+
+preset-stencil-shadow-volume-name = Shadow volume, counted
+preset-stencil-shadow-volume = Front faces of the shadow's body count up, back faces count down, each only where it lies before the scene. What is not 0 lies inside: in shadow.
+preset-fill-star-name = A star by the even-odd rule
+preset-fill-star = The middle is wound around twice. Twice is even, so it is outside.
+
+preset-fill-star-non-zero-name = A star by both rules
+preset-fill-star-non-zero = The middle is wound around twice: outside by the even-odd rule, inside by the non-zero rule. Seven pixels tell.
+
+preset-fill-ring-name = A hole that turns back
+preset-fill-ring = The hole runs against the outer contour, so its inside is wound around 1 − 1 = 0 times. Both rules leave it free.
+
+preset-fill-ring-same-way-name = A hole that turns along
+preset-fill-ring-same-way = Here the hole runs the same way as the outer contour, so its inside is wound around twice. The non-zero rule fills it.
+
+preset-fill-comb-name = A comb: six crossings
+preset-fill-comb = A concave polygon has several spans in a row. The list of active edges changes only where an edge begins or ends.
+
+preset-fill-on-centres-name = Every edge through centres
+preset-fill-on-centres = Top and left edges take the centres on them, bottom and right edges do not. So the row where both contours meet is drawn once.
+
+preset-fill-crossing-name = Edges that cross
+preset-fill-crossing = Below the crossing the two edges have changed places. They are sorted again in each row, by the column that they reach.
+
+preset-fill-sliver-name = Sliver: spans without a pixel
+preset-fill-sliver = The polygon crosses eight rows, but it is so thin that most rows have no pixel centre between its edges.
 
 preset-vertices-fixed-4-name = Split: four bits below the pixel
 preset-vertices-fixed-4 = Corners snapped to sixteenths of a pixel move the edges across two centres. With eight bits no pixel changes here.
@@ -454,6 +500,36 @@ preset-depth-behind = B lies behind A. Where they overlap every test fails, and 
 
 preset-depth-order-name = The same, drawn back to front
 preset-depth-order = These are the triangles of the example before, in the other order. The image is the same, but more is written.
+
+preset-blend-over-name = Over
+preset-blend-over = Two half transparent layers over white. Each takes half of what is there and adds half of itself.
+
+preset-blend-alpha-factors-name = Alpha: 0.7 or 0.45
+preset-blend-alpha-factors = A layer of alpha 0.5 over alpha 0.4. By the formula the result is 0.7; with the colour's factors for alpha too it is 0.45.
+
+preset-blend-two-orders-name = Two layers, two orders
+preset-blend-two-orders = The same two layers. The one that is blended last counts twice as much as the other.
+
+preset-blend-three-orders-name = Three layers, two orders
+preset-blend-three-orders = Of three layers of alpha 0.5 the last counts four times as much as the first.
+
+preset-blend-list-name = A list for each pixel
+preset-blend-list = Left the layers are blended as they come, the nearest first: wrong. Right they are kept, sorted by depth, and blended from the farthest on.
+
+preset-blend-premultiplied-name = Premultiplied
+preset-blend-premultiplied = The colours are multiplied by their alpha already, so the source's factor is 1. A layer of alpha 0 can still add light.
+
+preset-blend-additive-name = Additive
+preset-blend-additive = Light on light: nothing of what is there is taken away. What exceeds 1 is clamped, and there the order begins to matter.
+
+preset-blend-multiply-name = Multiply
+preset-blend-multiply = Each layer is a filter. Products do not depend on the order, but every store rounds.
+
+preset-blend-min-name = Darkest
+preset-blend-min = Each channel keeps the lesser of the two values. The factors do not count, and neither does the order.
+
+preset-blend-max-name = Lightest
+preset-blend-max = Each channel keeps the greater of the two values, whatever the alpha.
 
 preset-vertex-perspective-name = Perspective
 preset-vertex-perspective = One corner of A goes through every space, from the model to the pixel. Its w is its distance along the line of sight.
@@ -603,3 +679,84 @@ preset-tree-all-inside = The root lies inside all planes: six tests for all obje
 
 preset-two-sides-mistake-name = Split: a mistake
 preset-two-sides-mistake = Left all four sides cut; right only the left and the bottom one, as beginners often leave it. What sticks out is outlined.
+
+preset-weigh-inside-name = A point inside
+preset-weigh-inside = The farther vertex V1 has the larger w, so it counts for less than its area says. Perspective: one division at the point.
+
+preset-weigh-centroid-name = The centroid
+preset-weigh-centroid = At the centroid all three areas are equal: each vertex weighs a third, and no binary number is a third.
+
+preset-weigh-on-an-edge-name = On an edge
+preset-weigh-on-an-edge = P lies on the edge V0V1, so V2 weighs 0: what is across an edge does not depend on the third vertex, and neighbours meet.
+
+preset-weigh-outside-name = A point outside
+preset-weigh-outside = One of the areas has the other sign: so an area also tells where P is. There is no value, unless one extrapolates.
+
+preset-weigh-equal-w-name = All w are equal
+preset-weigh-equal-w = A triangle that faces the eye has one w: then w cancels, and affine and perspective are the same.
+
+preset-weigh-sliver-name = A sliver in f32
+preset-weigh-sliver = The area of a sliver is the small difference of two large products: f32 is wrong by many steps where the exact value is rounded once.
+
+preset-weigh-zero-area-name = No area
+preset-weigh-zero-area = All three vertices lie on one line: there is no inside, and nothing can be weighed.
+
+preset-row-depth-name = Depth along a row
+preset-row-depth = Depth is a plane over the screen: one value at the first centre, then one addition a pixel.
+
+preset-row-drift-name = Sixty additions in f32
+preset-row-drift = Each addition rounds, and the next pixel starts from the rounded sum: the error grows along the row. Exact beside it.
+
+preset-row-perspective-name = Two planes and a division
+preset-row-perspective = In perspective the attribute is no plane over the screen, but a/w and 1/w are: two additions and one division a pixel.
+
+preset-row-constant-name = Equal values
+preset-row-constant = All three vertices have the same value: A and B are 0, and nothing is added. In f32 a/w over 1/w may still miss it.
+
+preset-row-sliver-name = A sliver in f32
+preset-row-sliver = C is twice the area. In a sliver it is a small difference of large products, and both slopes are divided by it.
+
+preset-row-empty-name = A row without pixels
+preset-row-empty = The needle passes between two rows of centres: there is nothing to fill in, and nothing is computed.
+
+preset-tilt-floor-name = A floor
+preset-tilt-floor = The near half fills most of the image. Affine gives both halves the same room: the squares bend along the diagonal.
+
+preset-tilt-facing-name = Facing the eye
+preset-tilt-facing = All corners have the same w: it cancels, and both ways give the same bits. No division is needed.
+
+preset-tilt-wall-name = A wall
+preset-tilt-wall = Turned about the upright axis: across the wall u needs the division, up the wall v does not, but for the diagonal.
+
+preset-tilt-steep-name = Nearly edge-on
+preset-tilt-steep = From w = 1.25 to 9: affine is off by several squares, and the two triangles no longer fit together.
+
+preset-tilt-one-square-name = Where the triangles meet
+preset-tilt-one-square = Two squares a side, affine: each triangle is right at its own corners, and the middle lies where the diagonals of the image do not cross.
+
+preset-tilt-depth-is-straight-name = Must z be corrected, too?
+preset-tilt-depth-is-straight = A learner's question. Device z has been divided by w already, so it changes evenly on the screen; dividing once more bends it.
+
+preset-tilt-level-line-name = A level line
+preset-tilt-level-line = Along a line at one distance z, 1/w and d are constant: there affine is right. That is why old games drew floors row by row.
+
+preset-samples-edge-name = An edge in steps
+preset-samples-edge = The slanted edge passes through the samples one by one: pixels along it get 0, 1, 2, 3 or 4 quarters of white.
+
+preset-samples-sliver-name = A sliver between centres
+preset-samples-sliver = No centre lies in the sliver: with one sample it is not there at all, and with four it is a grey line.
+
+preset-samples-centroid-name = Shaded outside the triangle
+preset-samples-centroid = The shade grows from 0 to 1 inside. At a centre outside it is extrapolated: too dark or too light pixels along the edges. Centroid shades inside.
+
+preset-samples-shared-edge-name = A shared edge
+preset-samples-shared-edge = Both triangles are white and share an edge: each sample belongs to exactly one, so the seam is 255 throughout.
+
+preset-samples-silhouette-name = A silhouette with 8
+preset-samples-silhouette = Eight samples give nine levels of grey; no two stand in one row or column, so flat and steep edges are equally smooth. One sample beside it.
+
+preset-samples-per-sample-name = Every sample shaded
+preset-samples-per-sample = Inside the triangle the shade changes faster than pixels do: one shade a pixel is one point of it, per sample is a mean, at four times the cost.
+
+preset-samples-on-an-edge-name = Samples on an edge
+preset-samples-on-an-edge = The left edge passes exactly through samples: the tie rule decides for samples as it does for centres.

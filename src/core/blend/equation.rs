@@ -31,56 +31,101 @@ pub fn blend(
     stored: [u8; 4],
     tally: &mut Tally,
 ) -> [u8; 4] {
-    [0, 1, 2, 3].map(|channel| {
-        let component = if channel == 3 { &state.alpha } else { &state.color };
-        let near = {
-            let stored = stored.map(|code| Approx::exact(f64::from(code)) / Approx::exact(255.0));
-            equation(component, source, stored, channel)
-        };
-        let tail = || {
-            let ExactColor { channels, denominator } = exact();
-            let source = channels.map(|num| Ratio { num, den: denominator.clone() });
-            let stored =
-                stored.map(|code| Ratio { num: Dyadic::from(u32::from(code)), den: Dyadic::from(255) });
-            let Ratio { num, den } = equation(component, source, stored, channel);
-            (num, den)
-        };
-        // All values are in 0..=1, so a code never needs more than eight bits.
-        rounded_code(near, 255, tail, tally) as u8
-    })
+    [0, 1, 2, 3].map(|channel| blend_channel(state, channel, source, &exact, stored, tally))
+}
+
+/// One channel of [`blend`]: 0 red, 1 green, 2 blue, 3 alpha.
+#[inline]
+pub fn blend_channel(
+    state: &BlendState,
+    channel: usize,
+    source: [Approx; 4],
+    exact: impl Fn() -> ExactColor,
+    stored: [u8; 4],
+    tally: &mut Tally,
+) -> u8 {
+    let component = state.component(channel);
+    let near = {
+        let stored = stored.map(|code| Approx::exact(f64::from(code)) / Approx::exact(255.0));
+        equation(component, source, stored, channel)
+    };
+    let tail = || {
+        let ExactColor { channels, denominator } = exact();
+        let source = channels.map(|num| Ratio { num, den: denominator.clone() });
+        let stored = stored.map(|code| Ratio { num: Dyadic::from(u32::from(code)), den: Dyadic::from(255) });
+        let Ratio { num, den } = equation(component, source, stored, channel);
+        (num, den)
+    };
+    // All values are in 0..=1, so a code never needs more than eight bits.
+    rounded_code(near, 255, tail, tally) as u8
+}
+
+/// What one channel of a result is made of, in binary64, to be shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Terms {
+    /// The fragment's value.
+    pub source: f64,
+    /// What multiplies it.
+    pub source_factor: f64,
+    /// The stored value.
+    pub stored: f64,
+    /// What multiplies that.
+    pub stored_factor: f64,
+    /// The result before rounding and clamping.
+    pub result: f64,
+}
+
+impl Terms {
+    /// Those of one channel.
+    pub fn new(state: &BlendState, channel: usize, source: [f32; 4], stored: [u8; 4]) -> Self {
+        let (source, stored) = (source.map(f64::from), stored.map(|code| f64::from(code) / 255.0));
+        let component = state.component(channel);
+        Self {
+            source: source[channel],
+            source_factor: factor(component.src_factor, source, stored, channel),
+            stored: stored[channel],
+            stored_factor: factor(component.dst_factor, source, stored, channel),
+            result: equation(component, source, stored, channel),
+        }
+    }
 }
 
 /// One channel of the result, before rounding and clamping.
 fn equation<N: Number>(component: &BlendComponent, source: [N; 4], stored: [N; 4], channel: usize) -> N {
-    let factor = |factor: BlendFactor| {
-        let one = || N::from(1.0);
-        match factor {
-            BlendFactor::Zero => N::from(0.0),
-            BlendFactor::One => one(),
-            BlendFactor::Src => source[channel].clone(),
-            BlendFactor::OneMinusSrc => one() - source[channel].clone(),
-            BlendFactor::SrcAlpha => source[3].clone(),
-            BlendFactor::OneMinusSrcAlpha => one() - source[3].clone(),
-            BlendFactor::Dst => stored[channel].clone(),
-            BlendFactor::OneMinusDst => one() - stored[channel].clone(),
-            BlendFactor::DstAlpha => stored[3].clone(),
-            BlendFactor::OneMinusDstAlpha => one() - stored[3].clone(),
-            BlendFactor::SrcAlphaSaturated if channel == 3 => one(),
-            BlendFactor::SrcAlphaSaturated => source[3].clone().min(one() - stored[3].clone()),
-        }
-    };
     let (new, old) = (source[channel].clone(), stored[channel].clone());
     match component.operation {
         BlendOperation::Min => return new.min(old),
         BlendOperation::Max => return new.max(old),
         _ => {}
     }
-    let new = new * factor(component.src_factor);
-    let old = old * factor(component.dst_factor);
+    let of = |which| factor(which, source.clone(), stored.clone(), channel);
+    let new = new * of(component.src_factor);
+    let old = old * of(component.dst_factor);
     match component.operation {
         BlendOperation::Subtract => new - old,
         BlendOperation::ReverseSubtract => old - new,
         _ => new + old,
+    }
+}
+
+/// The value of a factor for one channel.
+fn factor<N: Number>(factor: BlendFactor, source: [N; 4], stored: [N; 4], channel: usize) -> N {
+    let one = || N::from(1.0);
+    let [src, dst] = [&source, &stored].map(|color| color[channel].clone());
+    let [[.., src_alpha], [.., dst_alpha]] = [source, stored];
+    match factor {
+        BlendFactor::Zero => N::from(0.0),
+        BlendFactor::One => one(),
+        BlendFactor::Src => src,
+        BlendFactor::OneMinusSrc => one() - src,
+        BlendFactor::SrcAlpha => src_alpha,
+        BlendFactor::OneMinusSrcAlpha => one() - src_alpha,
+        BlendFactor::Dst => dst,
+        BlendFactor::OneMinusDst => one() - dst,
+        BlendFactor::DstAlpha => dst_alpha,
+        BlendFactor::OneMinusDstAlpha => one() - dst_alpha,
+        BlendFactor::SrcAlphaSaturated if channel == 3 => one(),
+        BlendFactor::SrcAlphaSaturated => src_alpha.min(one() - dst_alpha),
     }
 }
 
@@ -99,6 +144,16 @@ impl Number for Approx {
 
     fn max(self, other: Self) -> Self {
         Self { value: self.value.max(other.value), error: self.error.max(other.error) }
+    }
+}
+
+impl Number for f64 {
+    fn min(self, other: Self) -> Self {
+        Self::min(self, other)
+    }
+
+    fn max(self, other: Self) -> Self {
+        Self::max(self, other)
     }
 }
 

@@ -1,8 +1,11 @@
 //! Blending: what a fragment's colour becomes over the colour that is there.
 
 mod equation;
+pub mod layers;
+mod mode;
 
-pub use equation::{ExactColor, blend};
+pub use equation::{ExactColor, Terms, blend, blend_channel};
+pub use mode::Mode;
 
 use serde::{Deserialize, Serialize};
 
@@ -25,6 +28,40 @@ pub enum BlendFactor {
     SrcAlphaSaturated,
 }
 
+impl BlendFactor {
+    /// In WebGPU's order; its two constants are left out, as no scene has one.
+    pub const ALL: [Self; 11] = [
+        Self::Zero,
+        Self::One,
+        Self::Src,
+        Self::OneMinusSrc,
+        Self::SrcAlpha,
+        Self::OneMinusSrcAlpha,
+        Self::Dst,
+        Self::OneMinusDst,
+        Self::DstAlpha,
+        Self::OneMinusDstAlpha,
+        Self::SrcAlphaSaturated,
+    ];
+
+    /// WebGPU's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Zero => "zero",
+            Self::One => "one",
+            Self::Src => "src",
+            Self::OneMinusSrc => "one-minus-src",
+            Self::SrcAlpha => "src-alpha",
+            Self::OneMinusSrcAlpha => "one-minus-src-alpha",
+            Self::Dst => "dst",
+            Self::OneMinusDst => "one-minus-dst",
+            Self::DstAlpha => "dst-alpha",
+            Self::OneMinusDstAlpha => "one-minus-dst-alpha",
+            Self::SrcAlphaSaturated => "src-alpha-saturated",
+        }
+    }
+}
+
 /// How the two products are joined (WebGPU's names; `Min` and `Max` ignore the factors).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -36,6 +73,22 @@ pub enum BlendOperation {
     ReverseSubtract,
     Min,
     Max,
+}
+
+impl BlendOperation {
+    /// In WebGPU's order.
+    pub const ALL: [Self; 5] = [Self::Add, Self::Subtract, Self::ReverseSubtract, Self::Min, Self::Max];
+
+    /// WebGPU's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Add => "add",
+            Self::Subtract => "subtract",
+            Self::ReverseSubtract => "reverse-subtract",
+            Self::Min => "min",
+            Self::Max => "max",
+        }
+    }
 }
 
 /// One equation: `operation(src * src_factor, dst * dst_factor)`.
@@ -64,4 +117,12 @@ pub struct BlendState {
     pub color: BlendComponent,
     /// For alpha.
     pub alpha: BlendComponent,
+}
+
+impl BlendState {
+    /// The equation of a channel: 0 red, 1 green, 2 blue, 3 alpha.
+    #[inline]
+    pub fn component(&self, channel: usize) -> &BlendComponent {
+        if channel == 3 { &self.alpha } else { &self.color }
+    }
 }

@@ -67,14 +67,14 @@ impl DepthBuffer {
     }
 
     /// Stores a code, whatever is there.
-    pub(super) fn set(&mut self, pixel: [u32; 2], code: u32) {
+    pub(crate) fn set(&mut self, pixel: [u32; 2], code: u32) {
         let index = self.index(pixel);
         self.codes[index] = code;
     }
 
     /// Where a pixel stands in [`codes`](Self::codes).
     #[inline]
-    pub(super) fn index(&self, [x, y]: [u32; 2]) -> usize {
+    pub(crate) fn index(&self, [x, y]: [u32; 2]) -> usize {
         y as usize * self.size[0] as usize + x as usize
     }
 }

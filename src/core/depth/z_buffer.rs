@@ -91,11 +91,6 @@ impl Image {
         self.owners[self.depth.index(pixel)].checked_sub(1)
     }
 
-    /// How many pixels show a triangle.
-    fn shown(&self) -> usize {
-        self.owners.iter().filter(|owner| **owner != 0).count()
-    }
-
     fn show(&mut self, pixel: [u32; 2], triangle: u32) {
         let index = self.depth.index(pixel);
         self.owners[index] = triangle + 1;

@@ -80,6 +80,15 @@ const TOPICS: &[(&str, &[Topic])] = &[
     ("zigzag", &[at(RUSSIAN, "Zigzag-алгоритм")]),
     ("homogeneous", &[at(RUSSIAN, "Алгоритм растеризации в однородных координатах")]),
     ("tiled", &[at(SLOVENE, "Rasterizacija")]),
+    ("msaa", &[at(SLOVENE, "Mehčanje robov")]),
+    ("area-ratios", &[at(RUSSIAN, "Интерполяция атрибутов")]),
+    ("plane-equation", &[at(TUZLA, "Z interpolacija"), at(ESTONIAN, "Sügavuspuhver")]),
+    (
+        "perspective-correction",
+        &[at(RUSSIAN, "Интерполяция атрибутов"), at(TUZLA, "Interpolacija svojstava")],
+    ),
+    ("edge-table", &[at(ESTONIAN, "Ridahaaval töötlemine")]),
+    ("stencil", &[at(SLOVENE, "Test šablone")]),
     (
         "z-buffer",
         &[
@@ -89,6 +98,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
             at(SLOVENE, "Test globine"),
         ],
     ),
+    ("blend", &[at(SLOVENE, "Mešanje")]),
 ];
 
 impl LabInfo {

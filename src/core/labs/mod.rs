@@ -6,6 +6,7 @@
 //! a line in [`ALL`], and for a new family a line in [`LabInput`].
 
 mod back_face;
+mod blend;
 mod bvh;
 mod clip_convex;
 mod clip_line;
@@ -13,17 +14,23 @@ mod clip_plane;
 mod clip_point;
 mod clip_polygon;
 mod clip_triangle;
+mod fill_polygon;
 mod fill_triangle;
 mod frustum_culling;
 mod homogeneous;
+mod interpolation;
 mod lectures;
+mod msaa;
+mod perspective_correction;
 mod pipeline;
+mod stencil;
 mod transform;
 mod z_buffer;
 
 pub use self::lectures::Topic;
 pub use self::{
     back_face::BackFace,
+    blend::{Blend, Layer},
     bvh::{Bvh, Over},
     clip_convex::ClipConvex,
     clip_line::ClipLine,
@@ -31,10 +38,15 @@ pub use self::{
     clip_point::ClipPoint,
     clip_polygon::ClipPolygon,
     clip_triangle::{ClipTriangle, Planes},
+    fill_polygon::FillPolygon,
     fill_triangle::FillTriangle,
     frustum_culling::FrustumCulling,
     homogeneous::Homogeneous,
+    interpolation::{AreaRatios, Interpolation, PlaneEquation},
+    msaa::Msaa,
+    perspective_correction::PerspectiveCorrection,
     pipeline::Pipeline,
+    stencil::{Order, Stencil},
     transform::Transform,
     z_buffer::ZBuffer,
 };
@@ -115,7 +127,14 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<FillTriangle>("zigzag", Stage::ScanConversion),
     LabInfo::new::<FillTriangle>("tiled", Stage::ScanConversion),
     LabInfo::new::<Homogeneous>("homogeneous", Stage::ScanConversion),
+    LabInfo::new::<FillPolygon>("edge-table", Stage::ScanConversion),
+    LabInfo::new::<Msaa>("msaa", Stage::ScanConversion),
+    LabInfo::new::<AreaRatios>("area-ratios", Stage::Fragments),
+    LabInfo::new::<PlaneEquation>("plane-equation", Stage::Fragments),
+    LabInfo::new::<PerspectiveCorrection>("perspective-correction", Stage::Fragments),
+    LabInfo::new::<Stencil>("stencil", Stage::Stencil),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
+    LabInfo::new::<Blend>("blend", Stage::Blend),
 ];
 
 /// The lab of that name.
@@ -265,8 +284,22 @@ families! {
     FillTriangle
     /// One triangle with w, and its pixels.
     Homogeneous
+    /// A polygon, row by row.
+    FillPolygon
+    /// Triangles, sample by sample.
+    Msaa
+    /// An attribute at a point of a triangle.
+    AreaRatios
+    /// An attribute along a row of pixels.
+    PlaneEquation
+    /// A checkered parallelogram, with and without perspective correction.
+    PerspectiveCorrection
+    /// The stencil test, draw by draw.
+    Stencil
     /// Triangles, fragment by fragment.
     ZBuffer
+    /// Layers over one pixel.
+    Blend
     /// One vertex through all the spaces.
     Transform
     /// One triangle: does the eye see its back?
@@ -292,7 +325,7 @@ impl LabInput {
         let fields = serde_json::to_value(self).ok()?;
         let mut all = self.choices().into_iter().filter(|choice| choice.field == like.field);
         match fields.get(like.field).filter(|value| !value.is_null()) {
-            Some(value) => all.find(|choice| choice.value() == *value),
+            Some(value) => all.find(|choice| choice.is(value)),
             None => all.next(),
         }
     }
@@ -335,6 +368,18 @@ pub fn play(scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message>
 /// The lab finds nothing in the scene that it could run.
 fn nothing_to_step(input: &impl Family) -> Message {
     Message::new("error-nothing-to-step").with("lab", Value::text(input.name()))
+}
+
+/// Most pixels of a scene whose fragments are stepped; of larger ones only a lab's own triangles are.
+const MOST_PIXELS: u64 = 256 * 256;
+
+/// Refuses a scene of too many pixels to step through.
+fn refuse_large(scene: &Scene) -> Result<(), Message> {
+    let [width, height] = scene.size.map(u64::from);
+    if width * height > MOST_PIXELS {
+        return Err(Message::new("error-too-large-to-step").with("most", 256));
+    }
+    Ok(())
 }
 
 /// The scene's conventions of scan conversion.

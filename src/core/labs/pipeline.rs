@@ -1,20 +1,18 @@
-//! The whole scene, stage by stage; stepped, it is the depth test of all its triangles.
+//! The whole scene, stage by stage; stepped, it is the depth test of all its triangles, or, where the
+//! draws have different states, the stencil and depth test of all its draws.
 
 use super::{
-    Family,
+    Family, refuse_large,
+    stencil::play_stencil_of,
     z_buffer::{play_depth_of, settings_of_depth},
 };
 use crate::{
     compare::Setting,
     message::Message,
     replay::{Budget, Playback},
-    scene::{Checked, Scene},
+    scene::{Checked, Draw, Scene},
 };
 use serde::{Deserialize, Serialize};
-
-/// Most pixels of a scene whose pipeline is stepped as a whole; of larger ones only a lab's own
-/// triangles are.
-const MOST_PIXELS: u64 = 256 * 256;
 
 /// The scene is all there is to say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -39,15 +37,16 @@ impl Family for Pipeline {
     }
 
     fn play(&self, scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
-        let [width, height] = scene.size.map(u64::from);
-        let plain = scene.draws.iter().all(|draw| draw.stencil.is_none() && draw.blend.is_none());
-        if !plain {
-            return Err(Message::new("error-steps-without-stencil"));
+        refuse_large(scene)?;
+        if scene.samples != 1 {
+            return Err(Message::new("error-steps-one-sample"));
         }
-        if width * height > MOST_PIXELS {
-            return Err(Message::new("error-too-large-to-step").with("most", 256));
+        let plain = |draw: &Draw| draw.stencil.is_none() && draw.depth == scene.draws[0].depth;
+        if scene.draws.iter().all(plain) {
+            play_depth_of(scene, budget)
+        } else {
+            Ok(play_stencil_of(scene, budget))
         }
-        play_depth_of(scene, budget)
     }
 
     fn settings(&self, scene: &Scene) -> Vec<Setting> {

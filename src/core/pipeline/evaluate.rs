@@ -3,7 +3,8 @@
 use super::{
     Bounding, Frame, Skip, Skips, Stats,
     draw::{DrawOutputs, DrawRuns, Shared},
-    fragments::{FragmentState, ImageState, ScreenTriangle, Target},
+    fragments::{FragmentState, ImageState, Target},
+    screen_triangle::ScreenTriangle,
 };
 use crate::{
     memo::Memo,
@@ -32,7 +33,7 @@ impl Outputs {
     pub fn triangles(&self) -> impl Iterator<Item = ScreenTriangle> {
         (0..).zip(&self.draws).flat_map(|(index, draw)| {
             let drawn = draw.clipped().pieces.iter().filter(|piece| !piece.carried);
-            drawn.map(move |piece| ScreenTriangle::new(index, draw, piece))
+            drawn.map(move |piece| ScreenTriangle::new(index, draw.screen(), piece))
         })
     }
 }

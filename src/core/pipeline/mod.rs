@@ -6,27 +6,31 @@
 //! out has a switch in [`Skips`] and a counter in [`Stats`], and never changes the image.
 
 mod draw;
+mod enlarged;
 mod evaluate;
 mod fragments;
 mod frame;
+mod multisample;
 mod names;
 mod objects;
 mod pixel;
 mod pixel_words;
 mod range;
+mod screen_triangle;
 mod shader;
 mod skips;
 mod stages;
 mod stats;
 
 pub use draw::{DrawOutputs, DrawRuns};
+pub use enlarged::enlarged_triangles;
 pub use evaluate::{Outputs, Pipeline};
-pub use fragments::ScreenTriangle;
 pub use frame::Frame;
 pub use names::{draw_name, screen_names, triangle_name};
 pub use objects::Bounding;
 pub use pixel::{Outcome, PixelEntry, PixelHistory, pixel_history, pixel_history_of};
 pub use range::out_of_range;
+pub use screen_triangle::ScreenTriangle;
 pub use skips::{Skip, Skips};
 pub use stages::{Clipped, ClippedPolygon, Culled, Decision, Fate, Piece, Point};
 pub use stats::{Reason, StageCount, Stats, Unit};

@@ -77,3 +77,27 @@ impl Edges {
 pub(crate) fn centre(x: u32, y: u32) -> [f32; 2] {
     [x as f32 + 0.5, y as f32 + 0.5]
 }
+
+/// The first column of `0..width` that is `reached`, or `width`; from the first one on all are.
+///
+/// Asks about two columns if `guess` is right, else bisects.
+#[inline]
+pub(crate) fn first_reached(guess: u32, width: u32, mut reached: impl FnMut(u32) -> bool) -> u32 {
+    let is_reached = guess >= width || reached(guess);
+    if is_reached && (guess == 0 || !reached(guess - 1)) { guess } else { bisect(width, reached) }
+}
+
+/// The first of `0..limit` that is `reached`, or `limit`; from the first one on all are.
+#[cold]
+pub(crate) fn bisect(limit: u32, mut reached: impl FnMut(u32) -> bool) -> u32 {
+    let (mut low, mut high) = (0, limit);
+    while low < high {
+        let middle = low + (high - low) / 2;
+        if reached(middle) {
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
+    }
+    low
+}

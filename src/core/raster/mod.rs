@@ -8,9 +8,12 @@
 pub mod aabb;
 pub mod backtracking;
 pub(crate) mod edge;
+pub mod edge_table;
 pub mod homogeneous;
 mod mistake;
+pub mod msaa;
 mod report;
+mod samples;
 pub mod scanline;
 pub mod tiled;
 pub mod traversal;
@@ -19,6 +22,7 @@ pub mod zigzag;
 
 pub use edge::{Edge, Edges};
 pub use mistake::Mistake;
+pub use samples::{NoPattern, Samples, cover_samples};
 
 use crate::math::{Arithmetic, Tally};
 use serde::{Deserialize, Serialize};

@@ -1,7 +1,10 @@
 //! The stencil test: a small integer for each pixel that draws compare and change.
 
+mod enlarge;
 mod operations;
+pub mod stencil_test;
 
+pub use enlarge::{Enlarge, Way};
 pub use operations::StencilOutcome;
 
 use crate::depth::CompareFunction;

@@ -28,6 +28,20 @@ impl StencilOperation {
         Self::DecrementWrap,
     ];
 
+    /// WebGPU's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Keep => "keep",
+            Self::Zero => "zero",
+            Self::Replace => "replace",
+            Self::Invert => "invert",
+            Self::IncrementClamp => "increment-clamp",
+            Self::DecrementClamp => "decrement-clamp",
+            Self::IncrementWrap => "increment-wrap",
+            Self::DecrementWrap => "decrement-wrap",
+        }
+    }
+
     /// The new value, before the write mask.
     #[inline]
     pub fn apply(self, stored: u8, reference: u8) -> u8 {
@@ -45,21 +59,41 @@ impl StencilOperation {
 }
 
 impl StencilState {
+    /// The stencil test of a draw, if it has one, then its depth test `depth`; the stored value
+    /// follows from how far the fragment came.
+    #[inline]
+    pub fn test(state: Option<&Self>, stored: &mut u8, depth: impl FnOnce() -> bool) -> StencilOutcome {
+        let outcome = match state {
+            Some(state) if !state.passes(*stored) => StencilOutcome::Fail,
+            _ if depth() => StencilOutcome::Pass,
+            _ => StencilOutcome::DepthFail,
+        };
+        if let Some(state) = state {
+            *stored = state.after(outcome, *stored);
+        }
+        outcome
+    }
+
     /// Whether a fragment passes against the stored value: only the bits of the read mask count.
     #[inline]
     pub fn passes(&self, stored: u8) -> bool {
         self.compare.passes(self.reference & self.read_mask, stored & self.read_mask)
     }
 
-    /// The value stored after a fragment: only the bits of the write mask change.
+    /// Which of the three operations runs.
     #[inline]
-    pub fn after(&self, outcome: StencilOutcome, stored: u8) -> u8 {
-        let operation = match outcome {
+    pub fn operation(&self, outcome: StencilOutcome) -> StencilOperation {
+        match outcome {
             StencilOutcome::Fail => self.fail_op,
             StencilOutcome::DepthFail => self.depth_fail_op,
             StencilOutcome::Pass => self.pass_op,
-        };
-        let new = operation.apply(stored, self.reference);
+        }
+    }
+
+    /// The value stored after a fragment: only the bits of the write mask change.
+    #[inline]
+    pub fn after(&self, outcome: StencilOutcome, stored: u8) -> u8 {
+        let new = self.operation(outcome).apply(stored, self.reference);
         (stored & !self.write_mask) | (new & self.write_mask)
     }
 }

@@ -1,11 +1,10 @@
 //! What the labs that clip a polygon share: all but the algorithm.
 
-use super::{Handle, Kind, Lab, Outcome, window};
+use super::{Handle, Lab, Outcome, corners, window};
 use crate::{
     document::{Document, ViewState},
     face::Face,
     shell::choices,
-    theme::Text,
     widgets::heading,
 };
 use egui::Ui;
@@ -17,9 +16,6 @@ use rasterscope_core::{
     explain::{Marker, Role},
     labs::{self, LabInput},
 };
-
-/// More corners than this have no handles and no numbers.
-const MOST_CORNERS: usize = 64;
 
 /// The lab of one algorithm: the corners of a polygon and the window are dragged.
 #[derive(Debug)]
@@ -47,35 +43,16 @@ impl Lab for ClipPolygon {
             mistakes(ui, face, &mut input.mistake);
         }
         heading(ui, face, &face.say("ui-corners-and-window"));
-        for (name, corner) in corners(input).into_iter().take(MOST_CORNERS) {
-            let [x, y] = corner;
-            choices::fields(ui, face, &name, [x, y]);
-        }
-        ui.horizontal(|ui| {
-            let add = ui.button(face.rich(face.say("ui-add-corner"), Text::Label));
-            if add.on_hover_text(face.say("ui-add-corner-where")).clicked() {
-                add_corner(&mut input.polygon);
-            }
-            let remove = egui::Button::new(face.rich(face.say("ui-remove-corner"), Text::Label));
-            let remove = ui.add_enabled(input.polygon.len() > 3, remove);
-            if remove.on_hover_text(face.say("ui-remove-corner-where")).clicked() {
-                input.polygon.pop();
-            }
-        });
+        corners::fields(ui, face, contours(input));
+        corners::buttons(ui, face, &mut input.polygon);
         window::fields(ui, face, &mut input.window);
     }
 
     fn handles(&self, document: &Document) -> Vec<Handle> {
         let LabInput::ClipPolygon(input) = document.input() else { return Vec::new() };
-        let mut input = input.clone();
-        let sides = window::handles(&input.window);
-        let corners = corners(&mut input).into_iter().take(MOST_CORNERS).map(|(name, at)| Handle {
-            name,
-            at: *at,
-            kind: Kind::Point,
-        });
         // The corners last: where a handle of the window lies on one, the corner is on top.
-        sides.into_iter().chain(corners).collect()
+        let sides = window::handles(&input.window).into_iter();
+        sides.chain(corners::handles(input.all().into_iter())).collect()
     }
 
     fn outcome(&self, document: &Document, markers: &[(usize, Marker)]) -> Option<Outcome> {
@@ -93,35 +70,15 @@ impl Lab for ClipPolygon {
 
     fn drag(&self, document: &mut Document, handle: usize, to: [f32; 2]) {
         let LabInput::ClipPolygon(input) = document.input_mut() else { return };
-        let dragged = window::drag(&mut input.window, handle, to);
-        if let Some((_, corner)) = dragged.and_then(|index| corners(input).into_iter().nth(index)) {
-            *corner = to;
+        if let Some(index) = window::drag(&mut input.window, handle, to) {
+            corners::drag(contours(input), index, to);
         }
     }
 }
 
-/// Every corner with its name, as in the drawing.
-fn corners(input: &mut labs::ClipPolygon) -> Vec<(String, &mut [f32; 2])> {
-    let polygons = std::iter::once(&mut input.polygon).chain(&mut input.contours).enumerate();
-    let named = polygons.flat_map(|(polygon, corners)| {
-        let primes = "′".repeat(polygon.min(3));
-        corners.iter_mut().enumerate().map(move |(i, corner)| (format!("V{i}{primes}"), corner))
-    });
-    named.collect()
-}
-
-/// Puts a corner into the middle of the longest edge.
-fn add_corner(polygon: &mut Vec<[f32; 2]>) {
-    let edge = |i: usize| [polygon[i], polygon[(i + 1) % polygon.len()]];
-    let length = |i: &usize| {
-        let [[ax, ay], [bx, by]] = edge(*i).map(|p| p.map(f64::from));
-        (bx - ax) * (bx - ax) + (by - ay) * (by - ay)
-    };
-    let longest = (0..polygon.len()).max_by(|i, j| length(i).total_cmp(&length(j)));
-    if let Some(longest) = longest {
-        let [a, b] = edge(longest);
-        polygon.insert(longest + 1, [0, 1].map(|axis| a[axis] / 2.0 + b[axis] / 2.0));
-    }
+/// The polygon and what comes with it.
+fn contours(input: &mut labs::ClipPolygon) -> impl Iterator<Item = &mut Vec<[f32; 2]>> {
+    std::iter::once(&mut input.polygon).chain(&mut input.contours)
 }
 
 /// In which order the sides cut.

@@ -1,6 +1,6 @@
 //! What the labs that fill one triangle share: all but the algorithm.
 
-use super::{Handle, Kind, Lab, Outcome};
+use super::{Handle, Kind, Lab, Outcome, count_plain};
 use crate::{
     document::{Document, ViewState},
     face::Face,
@@ -9,7 +9,7 @@ use crate::{
 };
 use egui::Ui;
 use rasterscope_core::{
-    explain::{Marker, Role},
+    explain::Marker,
     labs::{self, LabInput},
     math::Arithmetic,
     pipeline::screen_triangles,
@@ -83,10 +83,9 @@ impl Lab for FillTriangle {
 
 /// How many rows or spans a run has come to.
 pub(super) fn rows(markers: &[(usize, Marker)]) -> Outcome {
-    let row = |marker: &Marker| marker.role == Role::Neutral && marker.label.is_none();
     Outcome {
         came: None,
-        went: markers.iter().filter(|(_, marker)| row(marker)).count(),
+        went: count_plain(markers),
         unit: Some("pipeline-unit-rows"),
         given: (1, "pipeline-unit-triangles"),
     }

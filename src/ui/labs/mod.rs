@@ -4,26 +4,35 @@
 //! inspector and painting are the shell's, the same for all.
 
 mod aabb;
+mod area_ratios;
 mod back_face;
 mod backtracking;
+mod blend;
 mod bvh;
 mod clip_line;
 mod clip_plane;
 mod clip_polygon;
 mod clip_triangle;
 mod cohen_sutherland;
+mod corners;
 mod cyrus_beck;
+mod edge_table;
 mod fill_triangle;
 mod frustum_culling;
 mod homogeneous;
+mod interpolation;
 mod liang_barsky;
 mod midpoint;
+mod msaa;
 mod nicholl_lee_nicholl;
 mod objects;
+mod perspective_correction;
 mod pipeline;
 mod placing;
+mod plane_equation;
 mod point_clipping;
 mod scanline;
+mod stencil;
 mod sutherland_hodgman;
 mod tiled;
 mod transform;
@@ -104,6 +113,11 @@ fn count(markers: &[(usize, Marker)], role: Role) -> usize {
     markers.iter().filter(|(_, marker)| marker.role == role).count()
 }
 
+/// How many plain marks the timeline has: one for each span.
+fn count_plain(markers: &[(usize, Marker)]) -> usize {
+    markers.iter().filter(|(_, marker)| marker.role == Role::Neutral && marker.label.is_none()).count()
+}
+
 /// What is open, to be edited.
 #[derive(Debug)]
 pub(crate) struct Open<'a> {
@@ -160,6 +174,13 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(zigzag::LAB),
         Box::new(tiled::LAB),
         Box::new(homogeneous::Homogeneous),
+        Box::new(edge_table::EdgeTable),
+        Box::new(stencil::Stencil),
+        Box::new(msaa::Msaa),
+        Box::new(area_ratios::LAB),
+        Box::new(plane_equation::LAB),
+        Box::new(perspective_correction::PerspectiveCorrection),
         Box::new(z_buffer::ZBuffer),
+        Box::new(blend::Blend),
     ]
 }

@@ -67,11 +67,10 @@ pub(super) fn show(ui: &mut Ui, face: &Face<'_>, scene: &mut Scene) {
 /// The colour of an object: that of its first vertex; a new one is for all of them.
 fn color(ui: &mut Ui, face: &Face<'_>, draw: &mut Draw) {
     let old = draw.geometry.mesh().and_then(|mesh| mesh.colors.first().copied()).unwrap_or(DEFAULT_COLOR);
-    let before = old.map(|channel| (channel * 255.0).round() as u8);
-    let mut codes = before;
+    let mut codes = old.map(|channel| (channel * 255.0).round() as u8);
     let response = ui.color_edit_button_srgba_unmultiplied(&mut codes);
-    response.on_hover_text(face.say("ui-object-color"));
-    if codes == before {
+    // The button multiplies by alpha and divides again, so codes may differ where nobody chose.
+    if !response.on_hover_text(face.say("ui-object-color")).changed() {
         return;
     }
     let new = codes.map(|code| f32::from(code) / 255.0);

@@ -104,6 +104,7 @@ fn every_preset_opens_and_runs() {
         window.run();
         let app = window.state().app();
         assert_eq!(app.notice, None, "{}", preset.name);
+        assert!(!app.modified(), "{}: to look at it is no edit", preset.name);
         // A scene that is not one depth test has no steps of its own, but its picture.
         let has_picture = app.overview.outputs().frame.size == app.document.scene.size;
         assert!(

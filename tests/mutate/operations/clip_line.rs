@@ -9,7 +9,7 @@ use crate::{
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 use rasterscope_core::{
-    clip::line::{Border, Segment, Window, cohen_sutherland, liang_barsky},
+    clip::line::{Border, Segment, Window, clip, cohen_sutherland, liang_barsky},
     math::{Arithmetic, Tally},
     trace::NoTrace,
 };
@@ -122,7 +122,6 @@ fn check(words: &[u32]) -> Result<u64, String> {
     };
     same("cohen-sutherland", &cohen_sutherland(segment, &mut tally).map(bits), &expected)?;
     same("cohen-sutherland from the other end", &turned(cohen_sutherland([p2, p1], &mut tally)), &expected)?;
-    same("cohen-sutherland's fast call", &cohen_sutherland::clip(segment, &window).map(bits), &expected)?;
 
     let liang_barsky = |segment: Segment, tally: &mut Tally| {
         liang_barsky::clip_traced(segment, &window, Arithmetic::Exact, tally, &mut NoTrace)
@@ -134,7 +133,7 @@ fn check(words: &[u32]) -> Result<u64, String> {
     same("liang-barsky from the other end", &turned(other), &expected)?;
     let [ours, theirs] = [cohen_sutherland(segment, &mut tally), visible.map(|visible| visible.segment)];
     same("liang-barsky and cohen-sutherland", &theirs.map(raw), &ours.map(raw))?;
-    same("liang-barsky's fast call", &liang_barsky::clip(segment, &window).map(bits), &expected)?;
+    same("at once", &clip(segment, &window).map(bits), &expected)?;
 
     if let Some([x, y]) = exact
         .iter()

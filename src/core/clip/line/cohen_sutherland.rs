@@ -11,7 +11,7 @@ mod formulas;
 
 pub use explain::Snapshot;
 
-use super::{Border, End, Kept, Mistake, Mistakes, Outcode, Point, Segment, Window};
+use super::{Border, End, Mistake, Mistakes, Outcode, Point, Segment, Window};
 use crate::{
     math::{Arithmetic, Real, Tally},
     replay::{Budget, Player},
@@ -90,22 +90,10 @@ const _: () = assert!(size_of::<Event>() <= 16);
 /// Clips a segment of finite coordinates against a window: `None` if no point of it is inside.
 ///
 /// The answer is exact: decided by exact signs, each cut coordinate correctly rounded. A segment
-/// of length zero is a point. Costs a few comparisons if it is wholly inside or beyond one
-/// border, else four orientations and four quotients at once.
-///
-/// Inlined: where there is nothing to cut, a call would cost more than the rest.
-#[inline(always)]
+/// of length zero is a point. This is the text that [`play`] plays, without a tracer;
+/// [`line::clip`](super::clip) answers the same at once.
 pub fn clip(segment: Segment, window: &Window) -> Option<Segment> {
-    run(Exact::new(&segment, window, &mut Tally::default()), Mistakes::NONE, &mut NoTrace)
-}
-
-/// [`clip`] for each of many segments: appends what is visible of them, in order, with their indices.
-///
-/// Allocates only if `kept` has no room for all of them.
-pub fn clip_all(segments: &[Segment], window: &Window, kept: &mut Vec<Kept>) {
-    kept.reserve(segments.len());
-    let part = |(index, &given)| clip(given, window).map(|segment| Kept { index, segment });
-    kept.extend((0..).zip(segments).filter_map(part));
+    clip_traced(segment, window, Settings::default(), &mut Tally::default(), &mut NoTrace)
 }
 
 /// [`clip`] in any arithmetic as a run that can be scrubbed.
@@ -137,7 +125,7 @@ pub fn clip_traced<T: Tracer<Event>>(
     match arithmetic {
         Arithmetic::F32 => clip_taught::<f32, T>(segment, window, mistakes, t),
         Arithmetic::F64 => clip_taught::<f64, T>(segment, window, mistakes, t),
-        _ => run(Exact::new(&segment, window, tally), mistakes, t),
+        _ => run(Exact::new(segment, window, tally), mistakes, t),
     }
 }
 
@@ -152,59 +140,36 @@ pub fn clip_taught<R: Real, T: Tracer<Event>>(
 }
 
 /// The text of the algorithm, in any form of arithmetic.
-///
-/// Cutting at the first differing bit is going through the borders in the order of the bits. In exact
-/// arithmetic no bit comes back, so once is enough: when the codes agree above and below, both ends are
-/// between these borders, and a cut at the right or the left stays between them.
-#[inline(always)]
 fn run<F: Form, T: Tracer<Event>>(mut ends: F, mistakes: Mistakes, t: &mut T) -> Option<Segment> {
     let mut codes = End::ALL.map(|end| {
         let code = ends.code(end);
         t.emit(|| Event::Code { end, code });
         code
     });
-    let mut rejected = is_rejected(codes, mistakes, t);
-    if rejected {
+    if is_rejected(codes, mistakes, t) {
         return None;
     }
-    if codes != [Outcode(0); 2] {
-        ends.begin();
-    }
-    'again: for _ in 0..=MOST_CUTS {
-        for border in Border::ALL {
-            let [c1, c2] = codes;
-            let end = End::beyond(border, codes);
-            // Untraced and exact, cutting nothing, or in vain, costs less than a branch that cannot be
-            // foreseen.
-            if (T::ENABLED || F::ROUNDS) && !Outcode(c1.0 ^ c2.0).has(border) {
-                continue;
-            }
-            t.emit(|| Event::Choose { border, end });
-            codes = ends.cut(border, codes);
-            t.emit(|| Event::Cut {
-                border,
-                end,
-                code: codes[end as usize],
-                to: ends.segment()[end as usize],
-            });
-            rejected |= is_rejected(codes, mistakes, t);
-            if (T::ENABLED || F::ROUNDS) && rejected {
-                return None;
-            }
-            if F::ROUNDS {
-                continue 'again;
-            }
+    for _ in 0..=MOST_CUTS {
+        let [c1, c2] = codes;
+        // Codes without a common bit that do not differ are both 0.
+        let Some(border) = Outcode(c1.0 ^ c2.0).first() else {
+            t.emit(|| Event::Accept);
+            return Some(ends.segment());
+        };
+        let end = End::beyond(border, codes);
+        t.emit(|| Event::Choose { border, end });
+        let code = ends.cut(border, end);
+        codes[end as usize] = code;
+        t.emit(|| Event::Cut { border, end, code, to: ends.segment()[end as usize] });
+        if is_rejected(codes, mistakes, t) {
+            return None;
         }
-        t.emit(|| Event::Accept);
-        let visible = ends.segment();
-        return if rejected { None } else { Some(visible) };
     }
     t.emit(|| Event::GiveUp);
     None
 }
 
 /// Whether both ends lie beyond one border.
-#[inline(always)]
 fn is_rejected<T: Tracer<Event>>([c1, c2]: [Outcode; 2], mistakes: Mistakes, t: &mut T) -> bool {
     let [or, and] = [Outcode(c1.0 | c2.0), Outcode(c1.0 & c2.0)];
     let and = if mistakes.has(Mistake::OrForAnd) { or } else { and };

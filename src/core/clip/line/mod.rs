@@ -6,9 +6,9 @@
 //! the window, with that border's bits: -0 stays -0). So the answer depends on
 //! the line and the border alone: not on the order of the ends, nor on the algorithm.
 
+mod at_once;
 pub mod cohen_sutherland;
 mod convex;
-mod crossings;
 pub mod cyrus_beck;
 pub(in crate::clip) mod intersection;
 pub mod liang_barsky;
@@ -19,6 +19,7 @@ pub mod nicholl_lee_nicholl;
 mod parametric;
 pub(in crate::clip) mod subject;
 
+pub use at_once::{clip, clip_all};
 pub use convex::{ConvexWindow, Flaw};
 pub use mistake::{Mistake, Mistakes};
 pub use parametric::{Course, Parameter, Quotient, Visible};

@@ -174,7 +174,7 @@ impl<'a> Given<'a> {
 
     /// Whether this coordinate stays the same along a carrier.
     #[inline]
-    fn is_level(&self, carrier: Carrier, axis: usize) -> bool {
+    pub(super) fn is_level(&self, carrier: Carrier, axis: usize) -> bool {
         match carrier {
             Carrier::Border(border) => border.axis() == axis,
             Carrier::Edge(edge) => {

@@ -5,15 +5,12 @@ use crate::{
     compare::Fact,
     depth::{CompareFunction, DepthFormat},
     explain::{
-        Explain, Formula, Label, Level, MOST_PIXELS, Mark, Marker, Operations, Piece, Role, Row, Sign, Table,
-        View,
+        Cells, Explain, Formula, Label, Level, Mark, Marker, Operations, Piece, Role, Row, Sign, Table, View,
     },
     message::{Message, Value},
     raster::view::view_of,
 };
 
-/// Images up to this many pixels show empty pixels with their clear value.
-const SHOWS_CLEAR: usize = 1024;
 /// What a pixel held, what comes to it, what it holds then: message ids.
 const ROWS: [&str; 3] = ["row-before", "row-arrives", "row-after"];
 
@@ -147,7 +144,7 @@ impl Explain for Snapshot {
     }
 
     fn marks(&self, _event: Option<&Event>, out: &mut Vec<Mark>) {
-        self.mark_cells(out);
+        self.mark_cells(self.view(), out);
         let few = self.triangles.len() <= MOST_OUTLINES;
         let outlined = |index| few || self.triangle == Some(index);
         for (triangle, index) in self.triangles.iter().zip(0..).filter(|(_, index)| outlined(*index)) {
@@ -280,15 +277,6 @@ impl Snapshot {
         Table { title: "z-buffer-test", columns, rows }
     }
 
-    fn cell(&self, pixel: [u32; 2], role: Role) -> Mark {
-        let value = match self.depth(self.image.depth.code(pixel)) {
-            Value::F64(depth) => Value::F32(depth as f32),
-            other => other,
-        };
-        let object = self.image.owner(pixel).map(|owner| self.names[owner as usize].object);
-        Mark::Pixel { at: pixel.map(|n| n as i32), role, object, value }
-    }
-
     /// What ticks, crosses and outlines mean.
     fn legend(&self, out: &mut Vec<Mark>) {
         if self.triangle.is_none() {
@@ -311,50 +299,31 @@ impl Snapshot {
             _ => key(Role::Candidate, Sign::Line, "z-buffer-key-others", Value::None),
         }
     }
+}
 
-    /// What every pixel holds; a tick or a cross where the triangle was tested.
-    fn mark_cells(&self, out: &mut Vec<Mark>) {
-        let [width, height] = self.settings.raster.size;
-        if self.image.shown() > MOST_PIXELS {
-            for y in 0..height {
-                self.mark_runs(y, width, out);
-            }
-            // Of the triangle's verdicts only those of the row in hand.
-            let here = self.verdicts.iter().filter(|([_, y], _)| u32::from(*y) == self.y);
-            out.extend(here.map(|([x, y], passed)| self.verdict_cell([*x, *y], *passed)));
-            return;
-        }
-        let shows_clear = self.image.depth.codes().len() <= SHOWS_CLEAR;
-        let View { min, max, .. } = self.view();
-        let seen = |x: u32, axis: usize| (min[axis]..max[axis]).contains(&(x as f32));
-        for y in (0..height).filter(|y| seen(*y, 1)) {
-            for x in (0..width).filter(|x| seen(*x, 0)) {
-                let owned = self.image.owner([x, y]).is_some();
-                if owned || shows_clear {
-                    out.push(self.cell([x, y], Role::Neutral));
-                }
-            }
-        }
-        out.extend(self.verdicts.iter().map(|(pixel, passed)| self.verdict_cell(*pixel, *passed)));
+impl Cells for Snapshot {
+    fn size(&self) -> [u32; 2] {
+        self.settings.raster.size
     }
 
-    fn verdict_cell(&self, pixel: [u16; 2], passed: bool) -> Mark {
-        self.cell(pixel.map(u32::from), if passed { Role::Accepted } else { Role::Rejected })
+    fn object(&self, pixel: [u32; 2]) -> Option<usize> {
+        self.image.owner(pixel).map(|owner| self.names[owner as usize].object)
     }
 
-    /// The objects that a row shows.
-    fn mark_runs(&self, y: u32, width: u32, out: &mut Vec<Mark>) {
-        let object = |x| self.image.owner([x, y]).map(|owner| self.names[owner as usize].object);
-        let mut begin = 0;
-        while begin < width {
-            let shown = object(begin);
-            let end = (begin + 1..width).find(|x| object(*x) != shown).unwrap_or(width);
-            if shown.is_some() {
-                let (y, columns) = (y as i32, [begin, end].map(|x| x as i32));
-                out.push(Mark::Run { y, columns, role: Role::Neutral, object: shown });
-            }
-            begin = end;
-        }
+    fn cell(&self, pixel: [u32; 2], role: Role) -> Mark {
+        let value = match self.depth(self.image.depth.code(pixel)) {
+            Value::F64(depth) => Value::F32(depth as f32),
+            other => other,
+        };
+        Mark::Pixel { at: pixel.map(|n| n as i32), role, object: self.object(pixel), value }
+    }
+
+    fn verdicts(&self) -> &[([u16; 2], bool)] {
+        &self.verdicts
+    }
+
+    fn row(&self) -> u32 {
+        self.y
     }
 }
 

@@ -6,7 +6,7 @@ use crate::{
     raster::{
         FillRule, Settings, YAxis,
         edge::centre,
-        traversal::probe::{Line, Probe, RowLine, Says},
+        traversal::probe::{Line, Probe, RowLine, Says, by_lines, in_doubt},
     },
 };
 
@@ -86,7 +86,7 @@ impl<'a> Exact<'a> {
     /// For the columns `0..width`.
     pub(super) fn new(form: Form<f64>, width: u32, tally: &'a mut Tally) -> Self {
         // Each coefficient is the difference of two exact products, rounded once.
-        let lines = form.adjugate.edges.map(|[a, b, c]| Line::of([a, b], c, width));
+        let lines = form.adjugate.edges.map(|coefficients| Line::new(coefficients, width));
         Self { form, lines, tally }
     }
 
@@ -137,16 +137,7 @@ impl Probe for Exact<'_> {
     #[inline]
     fn keeps_out(&mut self, row: &[RowLine; 3], x: u32, y: u32) -> u8 {
         let near = self.form.near.is_some_and(|near| self.near_side(near, x, y).is_negative());
-        (0..3).fold(u8::from(near) << NEAR, |bits, edge| {
-            let out = match row[edge].sign(x) {
-                Some(inside) => {
-                    self.tally.calls += 1;
-                    !inside
-                }
-                None => !self.draws(edge, x, y),
-            };
-            bits | u8::from(out) << edge
-        })
+        u8::from(near) << NEAR | by_lines(row, x, self.tally).unwrap_or_else(|| in_doubt(self, row, [x, y]))
     }
 
     fn gradient(&self, edge: usize) -> [Sign; 2] {

@@ -3,7 +3,10 @@
 use super::{Between, Counts, Event, Settings, Side, YAxis};
 use crate::{
     math::{Real, Sign, Tally, UNIT_ROUNDOFF},
-    raster::{Edge, edge::centre},
+    raster::{
+        Edge,
+        edge::{bisect, centre},
+    },
     trace::Tracer,
 };
 
@@ -112,16 +115,7 @@ impl<R: Real> Bound<R> {
         let mut end = guess;
         let (mut before, mut at) = (end.checked_sub(1).and_then(&mut sign), sign(end));
         if before.is_some_and(reached) || at.is_some_and(|sign| !reached(sign)) {
-            let (mut low, mut high) = (0, width);
-            while low < high {
-                let middle = low + (high - low) / 2;
-                if sign(middle).is_none_or(reached) {
-                    high = middle;
-                } else {
-                    low = middle + 1;
-                }
-            }
-            end = low;
+            end = bisect(width, |x| sign(x).is_none_or(reached));
             (before, at) = (end.checked_sub(1).and_then(&mut sign), sign(end));
         }
         let zero = |sign: Option<Sign>| sign.is_some_and(Sign::is_zero);

@@ -62,59 +62,88 @@ pub(super) struct Exact<'a> {
 impl<'a> Exact<'a> {
     /// For the columns `0..width`.
     pub(super) fn new(edges: Edges, width: u32, tally: &'a mut Tally) -> Self {
-        Self { edges: edges.0, lines: edges.0.map(|edge| Line::new(edge, width)), tally }
+        Self { edges: edges.0, lines: edges.0.map(|edge| Line::of_edge(edge, width)), tally }
     }
 }
 
-/// The edge function of an edge, `E(x, y) = dx y - dy x + c`, in binary64.
+/// An edge function `E(x, y) = a x + b y + c` in binary64, each coefficient rounded once.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Line {
-    dx: f64,
-    dy: f64,
-    /// `ax by - ay bx`: each product of two f32 is exact.
+pub(in crate::raster) struct Line {
+    a: f64,
+    b: f64,
     c: f64,
-    /// The largest magnitude that `dy x` has in the image's columns.
+    /// The largest magnitude that `a x` has in the image's columns.
     across: f64,
 }
 
-/// A [`Line`] in one row: `start - dy x`, right within `bound` at every centre of the row.
+/// A [`Line`] in one row: `start + a x`, right within `bound` at every centre of the row.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct RowLine {
-    dy: f64,
+pub(in crate::raster) struct RowLine {
+    a: f64,
     start: f64,
     bound: f64,
 }
 
 impl Line {
-    fn new(edge: Edge, width: u32) -> Self {
+    /// Of an edge in the plane.
+    fn of_edge(edge: Edge, width: u32) -> Self {
         let [[ax, ay], [bx, by]] = edge.ends.map(|end| end.map(f64::from));
-        let dy = by - ay;
-        Self { dx: bx - ax, dy, c: ax * by - ay * bx, across: dy.abs() * f64::from(width) }
+        Self::new([ay - by, bx - ax, ax * by - ay * bx], width)
     }
 
-    /// `a x + b y + c` with coefficients that were rounded at most once.
-    pub(crate) fn of([a, b]: [f64; 2], c: f64, width: u32) -> Self {
-        Self { dx: b, dy: -a, c, across: a.abs() * f64::from(width) }
+    /// From the coefficients, which are f32, differences of two, or differences of two products of two.
+    pub(in crate::raster) fn new([a, b, c]: [f64; 3], width: u32) -> Self {
+        Self { a, b, c, across: a.abs() * f64::from(width) }
     }
 
-    /// The term `dx y` goes through four roundings on its way into `E` (the difference, the product, two
-    /// sums), `c` and `dy x` through three: the condition of [`FOUR_ROUNDINGS`]. Differences of f32 are
-    /// multiples of 2^-149 and centres of 1/2, so nothing underflows.
+    /// The term `b y` goes through four roundings on its way into `E` (the coefficient, the product, two
+    /// sums), `c` and `a x` through three: the condition of [`FOUR_ROUNDINGS`]. Products of two f32 are
+    /// multiples of 2^-298 and centres of 1/2, so nothing underflows.
     #[inline]
-    pub(crate) fn row(self, y: u32) -> RowLine {
-        let along = self.dx * f64::from(centre(0, y)[1]);
+    pub(in crate::raster) fn row(self, y: u32) -> RowLine {
+        let along = self.b * f64::from(centre(0, y)[1]);
         let bound = FOUR_ROUNDINGS * (along.abs() + self.c.abs() + self.across);
-        RowLine { dy: self.dy, start: along + self.c, bound }
+        RowLine { a: self.a, start: along + self.c, bound }
     }
 }
 
 impl RowLine {
-    /// Whether a centre is inside, if the bound leaves no doubt.
+    /// The edge function at a centre; its sign is certain if it is beyond the bound.
     #[inline]
-    pub(crate) fn sign(&self, x: u32) -> Option<bool> {
-        let value = self.start - self.dy * f64::from(centre(x, 0)[0]);
-        (value.abs() > self.bound).then_some(value > 0.0)
+    fn at(&self, x: u32) -> f64 {
+        self.start + self.a * f64::from(centre(x, 0)[0])
     }
+
+    /// Whether the sign of that value is certain.
+    #[inline]
+    fn decides(&self, value: f64) -> bool {
+        value.abs() > self.bound
+    }
+}
+
+/// One bit for each edge that keeps a centre out, by their lines; `None` if one leaves a doubt.
+#[inline]
+pub(in crate::raster) fn by_lines(lines: &[RowLine; 3], x: u32, tally: &mut Tally) -> Option<u8> {
+    let [a, b, c] = lines.map(|line| line.at(x));
+    let certain = lines[0].decides(a) & lines[1].decides(b) & lines[2].decides(c);
+    certain.then(|| {
+        tally.calls += 3;
+        bits([a < 0.0, b < 0.0, c < 0.0])
+    })
+}
+
+/// The same where a line leaves a doubt: by the exact signs of those that do, which count themselves.
+#[cold]
+#[inline(never)]
+pub(in crate::raster) fn in_doubt<P: Probe<Row = [RowLine; 3]>>(
+    probe: &mut P,
+    lines: &[RowLine; 3],
+    [x, y]: [u32; 2],
+) -> u8 {
+    bits([0, 1, 2].map(|edge| {
+        let value = lines[edge].at(x);
+        if lines[edge].decides(value) { value < 0.0 } else { !probe.draws(edge, x, y) }
+    }))
 }
 
 impl Probe for Exact<'_> {
@@ -127,13 +156,7 @@ impl Probe for Exact<'_> {
 
     #[inline]
     fn keeps_out(&mut self, row: &[RowLine; 3], x: u32, y: u32) -> u8 {
-        bits([0, 1, 2].map(|i| match row[i].sign(x) {
-            Some(inside) => {
-                self.tally.calls += 1;
-                !inside
-            }
-            None => !self.draws(i, x, y),
-        }))
+        by_lines(row, x, self.tally).unwrap_or_else(|| in_doubt(self, row, [x, y]))
     }
 
     fn gradient(&self, edge: usize) -> [Sign; 2] {
@@ -182,7 +205,7 @@ impl<R: Real> Taught<R> {
     /// Whether a value means that the centre lies on the edge.
     #[inline]
     fn is_tie(&self, value: R) -> bool {
-        value == R::ZERO || value.to_f64().abs() < self.epsilon
+        (value == R::ZERO) | (value.to_f64().abs() < self.epsilon)
     }
 }
 
@@ -191,6 +214,7 @@ impl<R: Real> Probe for Taught<R> {
 
     fn row(&mut self, _: u32) {}
 
+    #[inline]
     fn keeps_out(&mut self, (): &(), x: u32, y: u32) -> u8 {
         bits([0, 1, 2].map(|i| !self.draws(i, x, y)))
     }
@@ -199,9 +223,11 @@ impl<R: Real> Probe for Taught<R> {
         gradient(&self.edges[edge])
     }
 
+    #[inline]
     fn draws(&mut self, edge: usize, x: u32, y: u32) -> bool {
         let value = self.value(edge, x, y);
-        if self.is_tie(value) { self.edges[edge].draws_ties } else { value > R::ZERO }
+        let tie = self.is_tie(value);
+        (!tie & (value > R::ZERO)) | (tie & self.edges[edge].draws_ties)
     }
 }
 

@@ -7,7 +7,7 @@ use crate::{
     polygons::{self, Polygon},
 };
 use rasterscope_core::clip::{
-    line::{Kept, Window, cohen_sutherland, liang_barsky},
+    line::{self, Kept, Window, cohen_sutherland, liang_barsky},
     polygon::sutherland_hodgman::{self, Buffers},
 };
 
@@ -19,6 +19,12 @@ pub fn lines(segments: &[Segment], sides: Sides, list: &mut Lines) {
     let window = window(sides);
     let read = |part: &Option<Segment>| part.map(|ends| ends.map(wide));
     list.push(Box::new(Batch { segments: segments.to_vec(), window, kept: Vec::new() }));
+    list.push(Box::new(Each::new(
+        "rasterscope",
+        segments.to_vec(),
+        move |segment| line::clip(*segment, &window),
+        read,
+    )));
     list.push(Box::new(Each::new(
         "rasterscope, Cohen-Sutherland",
         segments.to_vec(),
@@ -33,7 +39,7 @@ pub fn lines(segments: &[Segment], sides: Sides, list: &mut Lines) {
     )));
 }
 
-/// Cohen-Sutherland over a slice.
+/// All lines of a slice.
 struct Batch {
     segments: Vec<Segment>,
     window: Window,
@@ -42,12 +48,12 @@ struct Batch {
 
 impl Contender<lines::Answer> for Batch {
     fn name(&self) -> &str {
-        "rasterscope, Cohen-Sutherland, batch"
+        "rasterscope, batch"
     }
 
     fn run(&mut self) {
         self.kept.clear();
-        cohen_sutherland::clip_all(&self.segments, &self.window, &mut self.kept);
+        line::clip_all(&self.segments, &self.window, &mut self.kept);
     }
 
     fn answers(&self) -> Vec<lines::Answer> {

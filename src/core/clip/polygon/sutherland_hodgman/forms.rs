@@ -77,7 +77,7 @@ impl Form for Exact<'_> {
         dropped: impl FnMut(usize, Why),
     ) {
         self.given.tidy(&mut polygon, self.tally, dropped);
-        *buffers = Buffers { polygon, out };
+        (buffers.polygon, buffers.out) = (polygon, out);
     }
 }
 

@@ -7,12 +7,16 @@
 mod cells;
 mod label;
 mod operations;
+mod pixel;
 mod space;
+mod table;
 
 pub(crate) use cells::Cells;
 pub use label::Label;
 pub use operations::Operations;
+pub use pixel::PixelReport;
 pub use space::{Solid, Vantage, box_corners};
+pub use table::{Formula, Piece, Row, Table};
 
 use crate::{
     compare::Fact,
@@ -159,6 +163,13 @@ pub enum Mark {
         /// Value at its centre, when there is room.
         value: Value,
     },
+    /// How late in the run one pixel came: the later, the stronger the shade over its fill.
+    Shade {
+        /// Column and row.
+        at: [i32; 2],
+        /// More than 0, the last is 1.
+        share: f32,
+    },
     /// A half-open span on the centre line of row `y`: filled end closed, ring end open.
     Span {
         /// Row.
@@ -261,71 +272,6 @@ pub enum Grid {
     Pixels,
 }
 
-/// One piece of a formula.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Piece {
-    /// Signs and names, the same in every language.
-    Text(&'static str),
-    /// A number put in.
-    Number(Value),
-    /// The number that comes out: highlighted.
-    Result(Value),
-}
-
-/// A formula in its names, and the same with this step's numbers.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Formula {
-    /// Such as `t = (ymin − y1) / (y2 − y1)`.
-    pub general: &'static str,
-    /// The same with numbers, piece by piece.
-    pub numbers: Vec<Piece>,
-}
-
-/// Values to show as a table.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Table {
-    /// Message id of its title.
-    pub title: &'static str,
-    /// Headings; names of the listing or message ids that start with `column-`.
-    pub columns: Vec<&'static str>,
-    /// Rows in order.
-    pub rows: Vec<Row>,
-}
-
-/// One row of a [`Table`].
-#[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// Its heading: a name of the listing, an index, or a message id that starts with `row-`.
-    pub name: String,
-    /// One value for each column.
-    pub cells: Vec<Value>,
-    /// Whether it is the row the step is about.
-    pub active: bool,
-    /// A marker before it.
-    pub role: Option<Role>,
-}
-
-impl Row {
-    /// A row without marks.
-    pub fn new(name: impl Into<String>, cells: Vec<Value>) -> Self {
-        Self { name: name.into(), cells, active: false, role: None }
-    }
-
-    /// Marks it as what the step is about.
-    #[must_use]
-    pub fn active(mut self, active: bool) -> Self {
-        self.active = active;
-        self
-    }
-
-    /// Puts a marker before it.
-    #[must_use]
-    pub fn role(mut self, role: impl Into<Option<Role>>) -> Self {
-        self.role = role.into();
-        self
-    }
-}
-
 /// A mark on the timeline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Marker {
@@ -370,6 +316,10 @@ pub trait Explain: State {
     fn view(&self) -> View;
     /// From where a drawing in space is seen first; `None` if all marks lie in the plane.
     fn vantage(&self) -> Option<Vantage> {
+        None
+    }
+    /// Why a pixel, as column and row, is drawn in the end or not; `None` if the lab decides about none.
+    fn pixel(&self, _at: [u32; 2]) -> Option<PixelReport> {
         None
     }
     /// The result so far as facts, as computed and in any order: what a comparison of two runs

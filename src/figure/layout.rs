@@ -89,6 +89,7 @@ pub fn draw_held(
                 }
             }
             Mark::Pixel { .. } => cells.pixel(&mut canvas, index, mark),
+            Mark::Shade { at, share } => cells::shade(&mut canvas, *at, *share),
             Mark::Run { y, columns, role, object } => {
                 cells::cells_of_row(&mut canvas, *y, *columns, *role, *object);
             }

@@ -450,6 +450,42 @@ preset-fill-crossing = Below the crossing the two edges have changed places. The
 preset-fill-sliver-name = Sliver: spans without a pixel
 preset-fill-sliver = The polygon crosses eight rows, but it is so thin that most rows have no pixel centre between its edges.
 
+preset-vertices-fixed-4-name = Split: four bits below the pixel
+preset-vertices-fixed-4 = Corners snapped to sixteenths of a pixel move the edges across two centres. With eight bits no pixel changes here.
+
+preset-vertices-whole-name = Split: corners cast to whole numbers
+preset-vertices-whole = The cast drops the fractions, so the triangle jumps up and to the left. Twelve of its pixels are wrong.
+
+preset-edge-epsilon-name = Split: an epsilon in the edge test
+preset-edge-epsilon = Who calls nearly zero zero lets the tie rule decide beside an edge. The longer the edge, the nearer is nearly.
+
+preset-edge-epsilon-tiny-name = Split: a tiny triangle, a tiny epsilon
+preset-edge-epsilon-tiny = The triangle is a thousandth of a pixel wide and holds a centre. All its edge functions are below 0.00001: the pixel is lost.
+
+preset-slopes-added-up-name = Split: slopes added up
+preset-slopes-added-up = In every tenth row the left edge meets a centre. One tenth has no exact binary form: after 400 additions such ties are lost.
+
+preset-homogeneous-in-front-name = All corners in front
+preset-homogeneous-in-front = Every w is positive. The pixels are those of the projected triangle, and nothing was divided to test them.
+
+preset-homogeneous-one-behind-name = One corner behind the eye
+preset-homogeneous-one-behind = V2 is behind the eye; divided by w it would come out at the wrong side. The triangle runs off the screen instead.
+
+preset-homogeneous-two-behind-name = Two corners behind the eye
+preset-homogeneous-two-behind = Only V0 is in front. What is seen is the wedge at V0, up to the border of the image.
+
+preset-homogeneous-w-zero-name = A corner with w = 0
+preset-homogeneous-w-zero = V2 is a direction: the two edges to it run in parallel and never meet. A division would have no result.
+
+preset-homogeneous-divide-first-name = Split: division first
+preset-homogeneous-divide-first = Right, x and y are divided by w before anything else. The corner behind the eye becomes one in front: a wrong triangle.
+
+preset-homogeneous-near-plane-name = The near plane cuts
+preset-homogeneous-near-plane = The near plane is a fourth edge. It cuts off what is nearer than w = 0.4, without a new corner.
+
+preset-homogeneous-edge-on-name = Seen edge-on
+preset-homogeneous-edge-on = The eye lies in the plane of the triangle. The determinant is 0, so nothing is drawn.
+
 preset-depth-two-triangles-name = B over A: smaller depth wins
 preset-depth-two-triangles = A and B overlap, and neither is nearer everywhere. Each pixel compares two codes.
 

@@ -174,6 +174,10 @@ ui-no-dialog = There is no file dialog here: type the path, or drop the file on 
 ui-saved = Saved to { $path }.
 ui-error-read = { $path } cannot be read: { $reason }. Check the path, then open it again.
 ui-error-write = { $path } cannot be written: { $reason }. Save under another path.
+ui-near-plane = near plane
+ui-vertices-homogeneous = Corners (x w, y w, w)
+ui-show-visits = order of the tests
+ui-pixel-click = Click a pixel of the drawing: here stands which edge lets it in or keeps it out.
 ui-pixel-none = Click a pixel of the picture: here stands what happened to it.
 
 ui-fill-rule = Tie rule

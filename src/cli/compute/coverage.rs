@@ -82,6 +82,11 @@ fn samples(request: &Request) -> Result<Samples, Refusal> {
 /// The same request as a scene that opens a lab.
 pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
     let (algorithm, Settings { size, fill_rule, y_axis, arithmetic, .. }) = conventions(request)?;
-    let input = labs::FillTriangle { arithmetic, ..labs::FillTriangle::of(algorithm, request.vertices()?) };
+    let vertices = request.vertices()?;
+    if algorithm == Algorithm::Homogeneous {
+        let input = labs::Homogeneous::of(vertices.map(|[x, y]| [x, y, 1.0]));
+        return Ok(Scene { fill_rule, y_axis, ..lab_scene(size, labs::Homogeneous { arithmetic, ..input }) });
+    }
+    let input = labs::FillTriangle { arithmetic, ..labs::FillTriangle::of(algorithm, vertices) };
     Ok(Scene { fill_rule, y_axis, ..lab_scene(size, input) })
 }

@@ -78,6 +78,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
     ("aabb", &[at(RUSSIAN, "AABB-алгоритм"), at(SLOVENE, "Rasterizacija")]),
     ("backtracking", &[at(RUSSIAN, "Backtracking-алгоритм")]),
     ("zigzag", &[at(RUSSIAN, "Zigzag-алгоритм")]),
+    ("homogeneous", &[at(RUSSIAN, "Алгоритм растеризации в однородных координатах")]),
     ("tiled", &[at(SLOVENE, "Rasterizacija")]),
     ("msaa", &[at(SLOVENE, "Mehčanje robov")]),
     ("area-ratios", &[at(RUSSIAN, "Интерполяция атрибутов")]),

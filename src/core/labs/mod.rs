@@ -17,6 +17,7 @@ mod clip_triangle;
 mod fill_polygon;
 mod fill_triangle;
 mod frustum_culling;
+mod homogeneous;
 mod interpolation;
 mod lectures;
 mod msaa;
@@ -40,6 +41,7 @@ pub use self::{
     fill_polygon::FillPolygon,
     fill_triangle::FillTriangle,
     frustum_culling::FrustumCulling,
+    homogeneous::Homogeneous,
     interpolation::{AreaRatios, Interpolation, PlaneEquation},
     msaa::Msaa,
     perspective_correction::PerspectiveCorrection,
@@ -124,6 +126,7 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<FillTriangle>("backtracking", Stage::ScanConversion),
     LabInfo::new::<FillTriangle>("zigzag", Stage::ScanConversion),
     LabInfo::new::<FillTriangle>("tiled", Stage::ScanConversion),
+    LabInfo::new::<Homogeneous>("homogeneous", Stage::ScanConversion),
     LabInfo::new::<FillPolygon>("edge-table", Stage::ScanConversion),
     LabInfo::new::<Msaa>("msaa", Stage::ScanConversion),
     LabInfo::new::<AreaRatios>("area-ratios", Stage::Fragments),
@@ -279,6 +282,8 @@ families! {
     ClipPolygon
     /// One triangle and its pixels.
     FillTriangle
+    /// One triangle with w, and its pixels.
+    Homogeneous
     /// A polygon, row by row.
     FillPolygon
     /// Triangles, sample by sample.

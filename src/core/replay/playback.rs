@@ -3,7 +3,7 @@
 use super::Player;
 use crate::{
     compare::Fact,
-    explain::{Explain, Formula, Level, Mark, Marker, Operations, Table, Vantage, View},
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, PixelReport, Table, Vantage, View},
     message::Message,
 };
 
@@ -56,6 +56,8 @@ pub trait Playback: Send {
     fn ends(&self, level: Level) -> Vec<usize>;
     /// The result at the cursor as facts.
     fn facts(&self) -> Vec<Fact>;
+    /// Why a pixel, as column and row, is drawn in the end or not; `None` if the lab decides about none.
+    fn pixel(&self, at: [u32; 2]) -> Option<PixelReport>;
     /// What the run costs up to the cursor, and as a whole. Cost: linear in the run.
     fn operations(&self) -> [Operations; 2];
     /// The event that led to the cursor, for logs.
@@ -183,6 +185,10 @@ impl<S: Explain> Playback for Player<S> {
         let mut out = Vec::new();
         self.state.facts(&mut out);
         out
+    }
+
+    fn pixel(&self, at: [u32; 2]) -> Option<PixelReport> {
+        self.state.pixel(at)
     }
 
     fn operations(&self) -> [Operations; 2] {

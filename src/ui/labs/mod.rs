@@ -19,6 +19,7 @@ mod cyrus_beck;
 mod edge_table;
 mod fill_triangle;
 mod frustum_culling;
+mod homogeneous;
 mod interpolation;
 mod liang_barsky;
 mod midpoint;
@@ -172,6 +173,7 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(backtracking::LAB),
         Box::new(zigzag::LAB),
         Box::new(tiled::LAB),
+        Box::new(homogeneous::Homogeneous),
         Box::new(edge_table::EdgeTable),
         Box::new(stencil::Stencil),
         Box::new(msaa::Msaa),

@@ -31,6 +31,6 @@ msaa-marker-triangle = { $object }
 msaa-samples = Samples of the pixel
 msaa-counts = What it cost
 msaa-key-inside = sample inside
-msaa-key-outside = sample outside
+msaa-key-outside = sample not inside
 msaa-hint-in = sample { $sample }: inside { $object }  E0 { $e0 }  E1 { $e1 }  E2 { $e2 }
 msaa-hint-out = sample { $sample }: outside { $object }  E0 { $e0 }  E1 { $e1 }  E2 { $e2 }

@@ -704,7 +704,7 @@ preset-weigh-zero-area = All three vertices lie on one line: there is no inside,
 preset-row-depth-name = Depth along a row
 preset-row-depth = Depth is a plane over the screen: one value at the first centre, then one addition a pixel.
 
-preset-row-drift-name = Sixty additions in f32
+preset-row-drift-name = Additions in f32
 preset-row-drift = Each addition rounds, and the next pixel starts from the rounded sum: the error grows along the row. Exact beside it.
 
 preset-row-perspective-name = Two planes and a division

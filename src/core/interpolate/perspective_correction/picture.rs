@@ -12,11 +12,14 @@ pub(super) const PLOT: f32 = 0.62;
 /// Pieces of a curve.
 const PIECES: u32 = 48;
 
-/// A value along the line, as the plot shows it: its name, its role, and what it is at a share of the line.
+/// A value along the line, as the plot shows it.
 struct Curve<'a> {
     name: &'static str,
     role: Role,
+    /// What it is at a share of the line.
     at: &'a dyn Fn(f64) -> f64,
+    /// At which share its name stands, and whether above it.
+    named: (f64, bool),
 }
 
 impl Snapshot {
@@ -78,15 +81,14 @@ impl Snapshot {
             out.push(Mark::Segment { ends: [origin, end], role: Role::Candidate, label: None });
         }
         let curves = [
-            Curve { name: "z", role: Role::Accepted, at: &z },
-            Curve { name: "1/w", role: Role::Exact, at: &r },
-            Curve { name: "d", role: Role::Neutral, at: &d },
+            Curve { name: "z", role: Role::Accepted, at: &z, named: (0.68, true) },
+            Curve { name: "1/w", role: Role::Exact, at: &r, named: (0.2, true) },
+            Curve { name: "d", role: Role::Neutral, at: &d, named: (0.78, false) },
+            Curve { name: "(z/w) / (1/w)", role: Role::Rejected, at: &corrected, named: (0.44, false) },
         ];
-        for Curve { name, role, at } in curves {
-            let ends = [at(0.0), at(1.0)];
-            self.curve(ends, at, role, name, out);
+        for curve in curves {
+            self.curve(&curve, out);
         }
-        self.curve([z(0.0), z(1.0)], &corrected, Role::Rejected, "(z/w) / (1/w)", out);
         let known = self.along.len().checked_sub(1);
         if let (Some(step), Some(Event::Along { .. })) = (known, event) {
             let share = step as f64 / f64::from(STEPS);
@@ -98,20 +100,17 @@ impl Snapshot {
         }
     }
 
-    fn curve(
-        &self,
-        ends: [f64; 2],
-        at: &dyn Fn(f64) -> f64,
-        role: Role,
-        name: &'static str,
-        out: &mut Vec<Mark>,
-    ) {
+    fn curve(&self, &Curve { name, role, at, named: (share, above) }: &Curve<'_>, out: &mut Vec<Mark>) {
+        let ends = [at(0.0), at(1.0)];
         let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        let height = |value: f64| if high > low { (value - low) / (high - low) } else { 0.5 };
+        let height = |share: f64| if high > low { (at(share) - low) / (high - low) } else { 0.5 };
         let shares = (0..=PIECES).map(|i| f64::from(i) / f64::from(PIECES));
-        let points: Vec<_> = shares.map(|share| self.place(share, height(at(share)))).collect();
+        let points: Vec<_> = shares.map(|share| self.place(share, height(share))).collect();
         if points.iter().flatten().all(|value| value.is_finite()) {
-            out.push(Mark::Curve { points, role, label: Some(Label::name(name)) });
+            out.push(Mark::Curve { points, role, label: None });
+            // A text hangs from its corner.
+            let [x, y] = self.place(share, height(share) + if above { 0.24 } else { -0.06 });
+            out.push(Mark::Text { at: [x + 0.2, y], label: Label::name(name), role, big: false });
         }
     }
 }

@@ -26,7 +26,8 @@ pub struct Snapshot {
     pub(super) verdicts: [Verdict; Samples::MOST],
     /// The triangle that each drawn sample shows, plus 1.
     pub(super) owners: Vec<[u8; Samples::MOST]>,
-    pub(super) resolved: bool,
+    /// How many pixels of the image have been looked at for the last time.
+    pub(super) resolved: usize,
     /// Shades computed, samples tested, samples inside.
     pub(super) counts: [u64; 3],
 }
@@ -43,7 +44,7 @@ impl Snapshot {
             triangle: None,
             pixel: None,
             verdicts: [None; Samples::MOST],
-            resolved: false,
+            resolved: 0,
             counts: [0; 3],
         }
     }
@@ -101,7 +102,7 @@ impl State for Snapshot {
                 let pixel = [x.into(), y.into()];
                 let index = self.image.index(pixel);
                 self.image.codes[index] = code;
-                (self.resolved, self.pixel, self.triangle) = (true, Some(pixel), None);
+                (self.resolved, self.pixel, self.triangle) = (index + 1, Some(pixel), None);
                 self.verdicts = [None; Samples::MOST];
             }
             Event::Done => self.pixel = None,
@@ -272,13 +273,10 @@ impl Explain for Snapshot {
     }
 
     fn facts(&self, out: &mut Vec<Fact>) {
-        if !self.resolved {
-            return;
-        }
         let [width, height] = self.image.size;
         for pixel in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
             let index = self.image.index(pixel);
-            if self.image.masks[index] != 0 {
+            if index < self.resolved && self.image.masks[index] != 0 {
                 let code = u32::from(self.image.codes[index]);
                 out.push(Fact::pixel(pixel, vec![("column-code", code.into())]));
             }

@@ -26,7 +26,9 @@ impl Snapshot {
             let at = pixel.map(|n| n as i32);
             out.push(Mark::Pixel { at, role: Role::Active, object: None, value });
         }
-        for (role, meaning) in [(Role::Accepted, "msaa-key-inside"), (Role::Rejected, "msaa-key-outside")] {
+        let testing = self.verdicts.iter().any(Option::is_some);
+        let outside = if testing { Role::Rejected } else { Role::Candidate };
+        for (role, meaning) in [(Role::Accepted, "msaa-key-inside"), (outside, "msaa-key-outside")] {
             out.push(Mark::Key { role, sign: Sign::Marker, meaning: Message::new(meaning) });
         }
     }
@@ -34,7 +36,7 @@ impl Snapshot {
     /// The code of a pixel that is resolved.
     fn value(&self, pixel: [u32; 2]) -> Value {
         let index = self.image.index(pixel);
-        let shown = self.resolved && self.image.masks[index] != 0;
+        let shown = index < self.resolved && self.image.masks[index] != 0;
         if shown { u32::from(self.image.codes[index]).into() } else { Value::None }
     }
 
@@ -51,7 +53,7 @@ impl Snapshot {
         }
         let size = self.image.size.map(|side| side as usize);
         out.push(Mark::Image { size, rgba: Arc::new(rgba) });
-        if self.resolved {
+        if self.resolved > 0 {
             let [width, height] = self.image.size;
             for pixel in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
                 let value = self.value(pixel);
@@ -111,7 +113,7 @@ impl Snapshot {
                     (None, _) => Role::Candidate,
                 };
                 let owner = self.owners[index][sample];
-                let label = (here && role != Role::Candidate).then(|| {
+                let label = known.map(|_| {
                     let label = Label::name(sample.to_string());
                     if owner > 0 { label.of(usize::from(owner) - 1) } else { label }
                 });

@@ -9,6 +9,7 @@ mod operations;
 mod space;
 
 pub(crate) use cells::Cells;
+pub use cells::MOST_PIXELS;
 pub use operations::Operations;
 pub use space::{Solid, Vantage, box_corners};
 
@@ -249,10 +250,6 @@ pub enum Sign {
     Line,
 }
 
-/// More pixels than these stand in [`Mark::Run`]s: a mark each would take longer than a frame, and
-/// they are too small to show a value.
-pub const MOST_PIXELS: usize = 1 << 15;
-
 /// What part of the plane an algorithm is about, and how it is laid out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
@@ -391,6 +388,10 @@ pub trait Explain: State {
     fn view(&self) -> View;
     /// From where a drawing in space is seen first; `None` if all marks lie in the plane.
     fn vantage(&self) -> Option<Vantage> {
+        None
+    }
+    /// The pixel whose fragment `event` brings; the next event is its verdict. `row`: that in hand.
+    fn fragment(_event: &Self::Event, _row: &mut u32) -> Option<[u32; 2]> {
         None
     }
     /// The result so far as facts, as computed and in any order: what a comparison of two runs

@@ -110,6 +110,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "edge-table"
     "stencil"
     "z-buffer"
+    "depth-precision"
     "blend"
     "figure"
     "cli"

@@ -14,6 +14,7 @@ mod clip_plane;
 mod clip_point;
 mod clip_polygon;
 mod clip_triangle;
+mod depth_precision;
 mod fill_polygon;
 mod fill_triangle;
 mod frustum_culling;
@@ -34,6 +35,7 @@ pub use self::{
     clip_point::ClipPoint,
     clip_polygon::ClipPolygon,
     clip_triangle::{ClipTriangle, Planes},
+    depth_precision::DepthPrecision,
     fill_polygon::FillPolygon,
     fill_triangle::FillTriangle,
     frustum_culling::FrustumCulling,
@@ -121,6 +123,7 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<FillPolygon>("edge-table", Stage::ScanConversion),
     LabInfo::new::<Stencil>("stencil", Stage::Stencil),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
+    LabInfo::new::<DepthPrecision>("depth-precision", Stage::Depth),
     LabInfo::new::<Blend>("blend", Stage::Blend),
 ];
 
@@ -275,6 +278,8 @@ families! {
     Stencil
     /// Triangles, fragment by fragment.
     ZBuffer
+    /// The step of depth along the line of sight.
+    DepthPrecision
     /// Layers over one pixel.
     Blend
     /// One vertex through all the spaces.

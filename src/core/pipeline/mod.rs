@@ -27,7 +27,7 @@ pub use fragments::ScreenTriangle;
 pub use frame::Frame;
 pub use names::{draw_name, screen_names, triangle_name};
 pub use objects::Bounding;
-pub use pixel::{Outcome, PixelEntry, PixelHistory, pixel_history, pixel_history_of};
+pub use pixel::{Later, Outcome, PixelEntry, PixelHistory, pixel_history, pixel_history_of};
 pub use range::out_of_range;
 pub use skips::{Skip, Skips};
 pub use stages::{Clipped, ClippedPolygon, Culled, Decision, Fate, Piece, Point};

@@ -56,6 +56,9 @@ pub trait Playback: Send {
     fn ends(&self, level: Level) -> Vec<usize>;
     /// The result at the cursor as facts.
     fn facts(&self) -> Vec<Fact>;
+    /// The steps of the verdicts on all fragments that come to a pixel, in order; none in a run that has
+    /// no fragments. Cost: linear in the run.
+    fn fragments_at(&self, pixel: [u32; 2]) -> Vec<usize>;
     /// What the run costs up to the cursor, and as a whole. Cost: linear in the run.
     fn operations(&self) -> [Operations; 2];
     /// The event that led to the cursor, for logs.
@@ -183,6 +186,16 @@ impl<S: Explain> Playback for Player<S> {
         let mut out = Vec::new();
         self.state.facts(&mut out);
         out
+    }
+
+    fn fragments_at(&self, pixel: [u32; 2]) -> Vec<usize> {
+        let (mut row, mut steps) = (0, Vec::new());
+        self.for_each(|step, event| {
+            if S::fragment(event, &mut row) == Some(pixel) {
+                steps.push(step + 1);
+            }
+        });
+        steps
     }
 
     fn operations(&self) -> [Operations; 2] {

@@ -15,6 +15,7 @@ mod clip_triangle;
 mod cohen_sutherland;
 mod corners;
 mod cyrus_beck;
+mod depth_precision;
 mod edge_table;
 mod fill_triangle;
 mod frustum_culling;
@@ -170,6 +171,7 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(edge_table::EdgeTable),
         Box::new(stencil::Stencil),
         Box::new(z_buffer::ZBuffer),
+        Box::new(depth_precision::DepthPrecision),
         Box::new(blend::Blend),
     ]
 }

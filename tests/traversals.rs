@@ -128,7 +128,7 @@ fn the_table_of_all_ways_counts_what_each_run_reports() {
             match algorithm {
                 Algorithm::Aabb | Algorithm::Zigzag => assert_eq!(visits.visited, visits.tested),
                 Algorithm::Backtracking => {
-                    assert!(visits.tested <= 2 * visits.visited + 2 * settings.size[1])
+                    assert!(visits.tested <= 2 * visits.visited + 2 * settings.size[1]);
                 }
                 _ => assert!(visits.drawn == 0 || visits.tiles > 0),
             }

@@ -12,6 +12,7 @@ mod space;
 mod table;
 
 pub(crate) use cells::Cells;
+pub use cells::MOST_PIXELS;
 pub use label::Label;
 pub use operations::Operations;
 pub use pixel::PixelReport;
@@ -239,10 +240,6 @@ pub enum Sign {
     Line,
 }
 
-/// More pixels than these stand in [`Mark::Run`]s: a mark each would take longer than a frame, and
-/// they are too small to show a value.
-pub const MOST_PIXELS: usize = 1 << 15;
-
 /// What part of the plane an algorithm is about, and how it is laid out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
@@ -320,6 +317,10 @@ pub trait Explain: State {
     }
     /// Why a pixel, as column and row, is drawn in the end or not; `None` if the lab decides about none.
     fn pixel(&self, _at: [u32; 2]) -> Option<PixelReport> {
+        None
+    }
+    /// The pixel whose fragment `event` brings; the next event is its verdict. `row`: that in hand.
+    fn fragment(_event: &Self::Event, _row: &mut u32) -> Option<[u32; 2]> {
         None
     }
     /// The result so far as facts, as computed and in any order: what a comparison of two runs

@@ -114,6 +114,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "perspective-correction"
     "stencil"
     "z-buffer"
+    "depth-precision"
     "blend"
     "figure"
     "cli"

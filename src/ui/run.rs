@@ -180,6 +180,18 @@ impl Run {
         self.runs
     }
 
+    /// The steps of the verdicts on the fragments of a pixel, of the side that is explained.
+    pub(crate) fn fragments_at(&self, pixel: [u32; 2]) -> Vec<usize> {
+        match &self.playing {
+            None => Vec::new(),
+            Some(Playing::One(run)) => run.fragments_at(pixel),
+            Some(Playing::Two(pair)) => {
+                let steps = pair.run(self.side).fragments_at(pixel);
+                steps.into_iter().map(|own| pair.step_of(self.side, own)).collect()
+            }
+        }
+    }
+
     /// Goes to a step.
     pub(crate) fn seek(&mut self, step: usize) {
         self.moved(|playing, _| playing.seek(step));

@@ -7,6 +7,7 @@ compare-winding = Winding rule
 compare-y-axis = y axis
 compare-depth-format = Depth format
 compare-depth-compare = Depth test
+compare-depth-write = Depth write
 compare-depth-range = Depth range
 compare-reversed = Depth
 compare-mistake = Mistake

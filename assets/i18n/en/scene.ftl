@@ -501,6 +501,36 @@ preset-depth-behind = B lies behind A. Where they overlap every test fails, and 
 preset-depth-order-name = The same, drawn back to front
 preset-depth-order = These are the triangles of the example before, in the other order. The image is the same, but more is written.
 
+preset-depth-less-or-equal-name = Equal depths: less, less-equal
+preset-depth-less-or-equal = Left equal codes fail and the first triangle stays. Right they pass and the last one wins.
+
+preset-depth-reversed-codes-name = Reversed
+preset-depth-reversed-codes = The same two triangles with near at 1: the buffer is cleared to 0 and the greater depth wins. The image is the same.
+
+preset-depth-not-written-name = Test without write
+preset-depth-not-written = Fragments that pass store no depth, so B is drawn over A although it lies behind.
+
+preset-depth-equal-codes-name = Equal codes
+preset-depth-equal-codes = B lies nearer than A everywhere, by half a step. Diamonds mark where rounding made their codes equal.
+
+preset-precision-16-bits-name = 16 bits, 0.1 to 1000
+preset-precision-16-bits = Most codes lie near the eye. Eight units away a centimetre is less than one code.
+
+preset-precision-24-bits-name = 24 bits, 0.1 to 1000
+preset-precision-24-bits = With 256 times as many codes planes merge 16 times farther away: the step grows with the square of the distance.
+
+preset-precision-near-plane-name = Near plane moved to 1
+preset-precision-near-plane = The near plane moved from 0.1 to 1. That gains as much as three more bits; moving the far plane gains next to nothing.
+
+preset-precision-floats-name = 32-bit floats
+preset-precision-floats = Floats are finest near 0, and perspective puts nearly everything near 1. So they gain next to nothing over 24 bits.
+
+preset-precision-reversed-floats-name = Reversed floats
+preset-precision-reversed-floats = Right the far plane has depth 0, where floats are finest. That cancels the perspective: the step stays a fixed part of the distance.
+
+preset-precision-orthographic-name = Orthographic
+preset-precision-orthographic = Without perspective depth is linear in distance: every code of a unorm format is equally long.
+
 preset-blend-over-name = Over
 preset-blend-over = Two half transparent layers over white. Each takes half of what is there and adds half of itself.
 

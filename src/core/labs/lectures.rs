@@ -98,6 +98,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
             at(SLOVENE, "Test globine"),
         ],
     ),
+    ("depth-precision", &[at(TUZLA, "Z-buffer"), at(SLOVENE, "Test globine")]),
     ("blend", &[at(SLOVENE, "Mešanje")]),
 ];
 

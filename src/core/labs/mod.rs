@@ -14,6 +14,7 @@ mod clip_plane;
 mod clip_point;
 mod clip_polygon;
 mod clip_triangle;
+mod depth_precision;
 mod fill_polygon;
 mod fill_triangle;
 mod frustum_culling;
@@ -38,6 +39,7 @@ pub use self::{
     clip_point::ClipPoint,
     clip_polygon::ClipPolygon,
     clip_triangle::{ClipTriangle, Planes},
+    depth_precision::DepthPrecision,
     fill_polygon::FillPolygon,
     fill_triangle::FillTriangle,
     frustum_culling::FrustumCulling,
@@ -134,6 +136,7 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<PerspectiveCorrection>("perspective-correction", Stage::Fragments),
     LabInfo::new::<Stencil>("stencil", Stage::Stencil),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
+    LabInfo::new::<DepthPrecision>("depth-precision", Stage::Depth),
     LabInfo::new::<Blend>("blend", Stage::Blend),
 ];
 
@@ -298,6 +301,8 @@ families! {
     Stencil
     /// Triangles, fragment by fragment.
     ZBuffer
+    /// The step of depth along the line of sight.
+    DepthPrecision
     /// Layers over one pixel.
     Blend
     /// One vertex through all the spaces.

@@ -28,7 +28,7 @@ pub use evaluate::{Outputs, Pipeline};
 pub use frame::Frame;
 pub use names::{draw_name, screen_names, triangle_name};
 pub use objects::Bounding;
-pub use pixel::{Outcome, PixelEntry, PixelHistory, pixel_history, pixel_history_of};
+pub use pixel::{Later, Outcome, PixelEntry, PixelHistory, pixel_history, pixel_history_of};
 pub use range::out_of_range;
 pub use screen_triangle::ScreenTriangle;
 pub use skips::{Skip, Skips};

@@ -16,6 +16,7 @@ mod clip_triangle;
 mod cohen_sutherland;
 mod corners;
 mod cyrus_beck;
+mod depth_precision;
 mod edge_table;
 mod fill_triangle;
 mod frustum_culling;
@@ -181,6 +182,7 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(plane_equation::LAB),
         Box::new(perspective_correction::PerspectiveCorrection),
         Box::new(z_buffer::ZBuffer),
+        Box::new(depth_precision::DepthPrecision),
         Box::new(blend::Blend),
     ]
 }

@@ -48,7 +48,7 @@ impl Snapshot {
             out.push(Mark::Segment { ends: seen, role, label: Some(Label::new("near", self.near)) });
         }
         if let Some([x, y]) = self.now {
-            let drawn = self.cells.at(x, y).is_some_and(|cell| cell.is_drawn());
+            let drawn = self.cells.at(x, y).is_some_and(traversal::cells::Cell::is_drawn);
             let tie = self.says([x.into(), y.into()]).iter().any(|says| says.tie);
             let role = if tie { Role::Tie } else { Role::Active };
             let at = [x.into(), y.into()];

@@ -14,6 +14,8 @@ mod clip_plane;
 mod clip_point;
 mod clip_polygon;
 mod clip_triangle;
+mod draw_line;
+mod draw_point;
 mod fill_polygon;
 mod fill_triangle;
 mod frustum_culling;
@@ -34,6 +36,8 @@ pub use self::{
     clip_point::ClipPoint,
     clip_polygon::ClipPolygon,
     clip_triangle::{ClipTriangle, Planes},
+    draw_line::DrawLine,
+    draw_point::DrawPoint,
     fill_polygon::FillPolygon,
     fill_triangle::FillTriangle,
     frustum_culling::FrustumCulling,
@@ -119,6 +123,10 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<FillTriangle>("zigzag", Stage::ScanConversion),
     LabInfo::new::<FillTriangle>("tiled", Stage::ScanConversion),
     LabInfo::new::<FillPolygon>("edge-table", Stage::ScanConversion),
+    LabInfo::new::<DrawLine>("dda", Stage::ScanConversion),
+    LabInfo::new::<DrawLine>("bresenham", Stage::ScanConversion),
+    LabInfo::new::<DrawLine>("diamond-exit", Stage::ScanConversion),
+    LabInfo::new::<DrawPoint>("points", Stage::ScanConversion),
     LabInfo::new::<Stencil>("stencil", Stage::Stencil),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
     LabInfo::new::<Blend>("blend", Stage::Blend),
@@ -271,6 +279,10 @@ families! {
     FillTriangle
     /// A polygon, row by row.
     FillPolygon
+    /// A line of one pixel's width.
+    DrawLine
+    /// A point of any size.
+    DrawPoint
     /// The stencil test, draw by draw.
     Stencil
     /// Triangles, fragment by fragment.

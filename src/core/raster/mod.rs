@@ -10,6 +10,8 @@ pub mod backtracking;
 pub(crate) mod edge;
 pub mod edge_table;
 pub mod homogeneous;
+pub mod line;
+pub mod point;
 pub mod scanline;
 pub mod tiled;
 pub mod traversal;

@@ -7,6 +7,7 @@ mod aabb;
 mod back_face;
 mod backtracking;
 mod blend;
+mod bresenham;
 mod bvh;
 mod clip_line;
 mod clip_plane;
@@ -15,6 +16,9 @@ mod clip_triangle;
 mod cohen_sutherland;
 mod corners;
 mod cyrus_beck;
+mod dda;
+mod diamond_exit;
+mod draw_line;
 mod edge_table;
 mod fill_triangle;
 mod frustum_culling;
@@ -25,6 +29,7 @@ mod objects;
 mod pipeline;
 mod placing;
 mod point_clipping;
+mod points;
 mod scanline;
 mod stencil;
 mod sutherland_hodgman;
@@ -168,6 +173,10 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(zigzag::LAB),
         Box::new(tiled::LAB),
         Box::new(edge_table::EdgeTable),
+        Box::new(dda::LAB),
+        Box::new(bresenham::LAB),
+        Box::new(diamond_exit::LAB),
+        Box::new(points::Points),
         Box::new(stencil::Stencil),
         Box::new(z_buffer::ZBuffer),
         Box::new(blend::Blend),

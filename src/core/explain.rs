@@ -5,10 +5,12 @@
 //! what a mark means, a [`Message`] names a sentence.
 
 mod cells;
+mod label;
 mod operations;
 mod space;
 
 pub(crate) use cells::Cells;
+pub use label::Label;
 pub use operations::Operations;
 pub use space::{Solid, Vantage, box_corners};
 
@@ -89,36 +91,6 @@ pub fn letter(index: usize) -> String {
     match u8::try_from(index) {
         Ok(index @ 0..26) => char::from(b'A' + index).to_string(),
         _ => (index + 1).to_string(),
-    }
-}
-
-/// A name with values, shown in one plate: `P1′ (2.375, 2)`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Label {
-    /// A name of the listing or of the document; empty for a bare value.
-    pub name: String,
-    /// Shown behind the name; a vector in parentheses.
-    pub value: Value,
-    /// Index of the object that it names: the plate wears its fill.
-    pub object: Option<usize>,
-}
-
-impl Label {
-    /// A name without a value.
-    pub fn name(name: impl Into<String>) -> Self {
-        Self::new(name, Value::None)
-    }
-
-    /// A name and its value.
-    pub fn new(name: impl Into<String>, value: impl Into<Value>) -> Self {
-        Self { name: name.into(), value: value.into(), object: None }
-    }
-
-    /// Says that it names an object, whose fill the plate wears.
-    #[must_use]
-    pub fn of(mut self, object: usize) -> Self {
-        self.object = Some(object);
-        self
     }
 }
 
@@ -217,6 +189,13 @@ pub enum Mark {
         sign: Sign,
         /// What it means here.
         meaning: Message,
+    },
+    /// What the readout says when the pointer is at a place; nothing is drawn.
+    Hint {
+        /// Where.
+        at: [f32; 2],
+        /// What is known there.
+        text: Message,
     },
     /// Equal pixels of a row, where there are more than [`MOST_PIXELS`] for a mark each.
     Run {

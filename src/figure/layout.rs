@@ -94,7 +94,8 @@ pub fn draw_held(
             }
             Mark::Span { y, ends, role } => cells.span(&mut canvas, *y, *ends, *role),
             Mark::Text { at, label, role, big } => text(&mut canvas, *at, label, *role, *big),
-            Mark::Key { .. } => {} // at the foot, when the rest has its place
+            Mark::Key { .. } => {}  // at the foot, when the rest has its place
+            Mark::Hint { .. } => {} // for a pointer
             Mark::Image { size, rgba } => image(&mut canvas, *size, rgba),
             // Of no plane: `space::seen` turns it into marks that are.
             Mark::Space(_) => {}

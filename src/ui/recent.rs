@@ -53,7 +53,7 @@ mod tests {
     fn a_stage_opens_the_lab_that_was_open_last_and_first_its_first() {
         let mut recent = Recent::default();
         assert_eq!(recent.at(Stage::Clip), siblings(Stage::Clip).next().map(|lab| lab.name));
-        assert_eq!(recent.at(Stage::Stencil), None);
+        assert_eq!(recent.at(Stage::Divide), None);
         for name in ["liang-barsky", "scanline", "pipeline", "scanline"] {
             recent.note(name);
         }

@@ -19,6 +19,8 @@ pipeline-unit-vertices = vtx
 pipeline-unit-spans = spans
 pipeline-unit-rows = rows
 pipeline-unit-fragments = frag
+pipeline-unit-values = values
+pipeline-unit-shades = shades
 pipeline-unit-pixels = px
 
 pipeline-pixel-written = passed

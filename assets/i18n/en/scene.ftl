@@ -36,7 +36,7 @@ error-scene-far-before-near = { $path }: the far plane must lie beyond the near 
 error-scene-eye-is-target = { $path }: the camera looks at its own place. Move the target or the eye.
 error-scene-up-parallel = { $path }: "up" must not be zero or parallel to the line of sight.
 error-scene-too-many-pixels = { $path }: the image has too many pixels; at most { $limit } are possible.
-error-scene-samples = { $path }: only 1 sample in each pixel is possible so far.
+error-scene-samples = { $path }: a pixel has 1, 2, 4 or 8 samples.
 error-scene-not-triples = { $path }: without indices every three vertices are a triangle, but { $found } is no multiple of 3.
 error-scene-no-such-vertex = { $path }: there is no vertex { $index }; the { $vertices } vertices count from 0.
 error-scene-not-one-each = { $path }: there must be one for each of the { $vertices } vertices, not { $found }.
@@ -718,3 +718,84 @@ preset-tree-all-inside = The root lies inside all planes: six tests for all obje
 
 preset-two-sides-mistake-name = Split: a mistake
 preset-two-sides-mistake = Left all four sides cut; right only the left and the bottom one, as beginners often leave it. What sticks out is outlined.
+
+preset-weigh-inside-name = A point inside
+preset-weigh-inside = The farther vertex V1 has the larger w, so it counts for less than its area says. Perspective: one division at the point.
+
+preset-weigh-centroid-name = The centroid
+preset-weigh-centroid = At the centroid all three areas are equal: each vertex weighs a third, and no binary number is a third.
+
+preset-weigh-on-an-edge-name = On an edge
+preset-weigh-on-an-edge = P lies on the edge V0V1, so V2 weighs 0: what is across an edge does not depend on the third vertex, and neighbours meet.
+
+preset-weigh-outside-name = A point outside
+preset-weigh-outside = One of the areas has the other sign: so an area also tells where P is. There is no value, unless one extrapolates.
+
+preset-weigh-equal-w-name = All w are equal
+preset-weigh-equal-w = A triangle that faces the eye has one w: then w cancels, and affine and perspective are the same.
+
+preset-weigh-sliver-name = A sliver in f32
+preset-weigh-sliver = The area of a sliver is the small difference of two large products: f32 is wrong by many steps where the exact value is rounded once.
+
+preset-weigh-zero-area-name = No area
+preset-weigh-zero-area = All three vertices lie on one line: there is no inside, and nothing can be weighed.
+
+preset-row-depth-name = Depth along a row
+preset-row-depth = Depth is a plane over the screen: one value at the first centre, then one addition a pixel.
+
+preset-row-drift-name = Sixty additions in f32
+preset-row-drift = Each addition rounds, and the next pixel starts from the rounded sum: the error grows along the row. Exact beside it.
+
+preset-row-perspective-name = Two planes and a division
+preset-row-perspective = In perspective the attribute is no plane over the screen, but a/w and 1/w are: two additions and one division a pixel.
+
+preset-row-constant-name = Equal values
+preset-row-constant = All three vertices have the same value: A and B are 0, and nothing is added. In f32 a/w over 1/w may still miss it.
+
+preset-row-sliver-name = A sliver in f32
+preset-row-sliver = C is twice the area. In a sliver it is a small difference of large products, and both slopes are divided by it.
+
+preset-row-empty-name = A row without pixels
+preset-row-empty = The needle passes between two rows of centres: there is nothing to fill in, and nothing is computed.
+
+preset-tilt-floor-name = A floor
+preset-tilt-floor = The near half fills most of the image. Affine gives both halves the same room: the squares bend along the diagonal.
+
+preset-tilt-facing-name = Facing the eye
+preset-tilt-facing = All corners have the same w: it cancels, and both ways give the same bits. No division is needed.
+
+preset-tilt-wall-name = A wall
+preset-tilt-wall = Turned about the upright axis: across the wall u needs the division, up the wall v does not, but for the diagonal.
+
+preset-tilt-steep-name = Nearly edge-on
+preset-tilt-steep = From w = 1.25 to 9: affine is off by several squares, and the two triangles no longer fit together.
+
+preset-tilt-one-square-name = Where the triangles meet
+preset-tilt-one-square = Two squares a side, affine: each triangle is right at its own corners, and the middle lies where the diagonals of the image do not cross.
+
+preset-tilt-depth-is-straight-name = Must z be corrected, too?
+preset-tilt-depth-is-straight = A learner's question. Device z has been divided by w already, so it changes evenly on the screen; dividing once more bends it.
+
+preset-tilt-level-line-name = A level line
+preset-tilt-level-line = Along a line at one distance z, 1/w and d are constant: there affine is right. That is why old games drew floors row by row.
+
+preset-samples-edge-name = An edge in steps
+preset-samples-edge = The slanted edge passes through the samples one by one: pixels along it get 0, 1, 2, 3 or 4 quarters of white.
+
+preset-samples-sliver-name = A sliver between centres
+preset-samples-sliver = No centre lies in the sliver: with one sample it is not there at all, and with four it is a grey line.
+
+preset-samples-centroid-name = Shaded outside the triangle
+preset-samples-centroid = The shade grows from 0 to 1 inside. At a centre outside it is extrapolated: too dark or too light pixels along the edges. Centroid shades inside.
+
+preset-samples-shared-edge-name = A shared edge
+preset-samples-shared-edge = Both triangles are white and share an edge: each sample belongs to exactly one, so the seam is 255 throughout.
+
+preset-samples-silhouette-name = A silhouette with 8
+preset-samples-silhouette = Eight samples give nine levels of grey; no two stand in one row or column, so flat and steep edges are equally smooth. One sample beside it.
+
+preset-samples-per-sample-name = Every sample shaded
+preset-samples-per-sample = Inside the triangle the shade changes faster than pixels do: one shade a pixel is one point of it, per sample is a mean, at four times the cost.
+
+preset-samples-on-an-edge-name = Samples on an edge
+preset-samples-on-an-edge = The left edge passes exactly through samples: the tie rule decides for samples as it does for centres.

@@ -191,6 +191,14 @@ ui-triangle = Triangle
 ui-triangle-of-scene = Triangle of the scene
 ui-vertices-pixels = Vertices (pixels)
 ui-vertices-depth = Vertices (pixels, depth)
+ui-vertices-w = Vertices (pixels, w)
+ui-mode = Mode
+ui-squares = Squares
+ui-samples = Samples
+ui-shading = Shading
+ui-vertices-shade = Vertices (pixels, shade)
+ui-corners-camera = Corners (camera space)
+ui-line-pixels = Line (pixels)
 
 ui-y-axis = y axis
 ui-front = Front

@@ -79,6 +79,13 @@ const TOPICS: &[(&str, &[Topic])] = &[
     ("backtracking", &[at(RUSSIAN, "Backtracking-алгоритм")]),
     ("zigzag", &[at(RUSSIAN, "Zigzag-алгоритм")]),
     ("tiled", &[at(SLOVENE, "Rasterizacija")]),
+    ("msaa", &[at(SLOVENE, "Mehčanje robov")]),
+    ("area-ratios", &[at(RUSSIAN, "Интерполяция атрибутов")]),
+    ("plane-equation", &[at(TUZLA, "Z interpolacija"), at(ESTONIAN, "Sügavuspuhver")]),
+    (
+        "perspective-correction",
+        &[at(RUSSIAN, "Интерполяция атрибутов"), at(TUZLA, "Interpolacija svojstava")],
+    ),
     ("edge-table", &[at(ESTONIAN, "Ridahaaval töötlemine")]),
     ("stencil", &[at(SLOVENE, "Test šablone")]),
     (

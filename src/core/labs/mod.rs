@@ -19,7 +19,10 @@ mod draw_point;
 mod fill_polygon;
 mod fill_triangle;
 mod frustum_culling;
+mod interpolation;
 mod lectures;
+mod msaa;
+mod perspective_correction;
 mod pipeline;
 mod stencil;
 mod transform;
@@ -41,6 +44,9 @@ pub use self::{
     fill_polygon::FillPolygon,
     fill_triangle::FillTriangle,
     frustum_culling::FrustumCulling,
+    interpolation::{AreaRatios, Interpolation, PlaneEquation},
+    msaa::Msaa,
+    perspective_correction::PerspectiveCorrection,
     pipeline::Pipeline,
     stencil::{Order, Stencil},
     transform::Transform,
@@ -127,6 +133,10 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<DrawLine>("bresenham", Stage::ScanConversion),
     LabInfo::new::<DrawLine>("diamond-exit", Stage::ScanConversion),
     LabInfo::new::<DrawPoint>("points", Stage::ScanConversion),
+    LabInfo::new::<Msaa>("msaa", Stage::ScanConversion),
+    LabInfo::new::<AreaRatios>("area-ratios", Stage::Fragments),
+    LabInfo::new::<PlaneEquation>("plane-equation", Stage::Fragments),
+    LabInfo::new::<PerspectiveCorrection>("perspective-correction", Stage::Fragments),
     LabInfo::new::<Stencil>("stencil", Stage::Stencil),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
     LabInfo::new::<Blend>("blend", Stage::Blend),
@@ -283,6 +293,14 @@ families! {
     DrawLine
     /// A point of any size.
     DrawPoint
+    /// Triangles, sample by sample.
+    Msaa
+    /// An attribute at a point of a triangle.
+    AreaRatios
+    /// An attribute along a row of pixels.
+    PlaneEquation
+    /// A checkered parallelogram, with and without perspective correction.
+    PerspectiveCorrection
     /// The stencil test, draw by draw.
     Stencil
     /// Triangles, fragment by fragment.
@@ -314,7 +332,7 @@ impl LabInput {
         let fields = serde_json::to_value(self).ok()?;
         let mut all = self.choices().into_iter().filter(|choice| choice.field == like.field);
         match fields.get(like.field).filter(|value| !value.is_null()) {
-            Some(value) => all.find(|choice| choice.value() == *value),
+            Some(value) => all.find(|choice| choice.is(value)),
             None => all.next(),
         }
     }

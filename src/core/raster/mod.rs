@@ -11,7 +11,9 @@ pub(crate) mod edge;
 pub mod edge_table;
 pub mod homogeneous;
 pub mod line;
+pub mod msaa;
 pub mod point;
+mod samples;
 pub mod scanline;
 pub mod tiled;
 pub mod traversal;
@@ -19,6 +21,7 @@ pub(crate) mod view;
 pub mod zigzag;
 
 pub use edge::{Edge, Edges};
+pub use samples::{NoPattern, Samples, cover_samples};
 
 use crate::math::{Arithmetic, Tally};
 use serde::{Deserialize, Serialize};

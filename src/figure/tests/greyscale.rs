@@ -61,6 +61,7 @@ fn role_of(mark: &mut Mark) -> Option<(&mut Role, u8)> {
         | Mark::Span { .. }
         | Mark::Text { .. }
         | Mark::Key { .. }
+        | Mark::Hint { .. }
         | Mark::Image { .. }
         | Mark::Space(_) => None,
     }

@@ -4,6 +4,7 @@
 //! inspector and painting are the shell's, the same for all.
 
 mod aabb;
+mod area_ratios;
 mod back_face;
 mod backtracking;
 mod blend;
@@ -22,12 +23,16 @@ mod draw_line;
 mod edge_table;
 mod fill_triangle;
 mod frustum_culling;
+mod interpolation;
 mod liang_barsky;
 mod midpoint;
+mod msaa;
 mod nicholl_lee_nicholl;
 mod objects;
+mod perspective_correction;
 mod pipeline;
 mod placing;
+mod plane_equation;
 mod point_clipping;
 mod points;
 mod scanline;
@@ -178,6 +183,10 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(diamond_exit::LAB),
         Box::new(points::Points),
         Box::new(stencil::Stencil),
+        Box::new(msaa::Msaa),
+        Box::new(area_ratios::LAB),
+        Box::new(plane_equation::LAB),
+        Box::new(perspective_correction::PerspectiveCorrection),
         Box::new(z_buffer::ZBuffer),
         Box::new(blend::Blend),
     ]

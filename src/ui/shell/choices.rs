@@ -194,7 +194,7 @@ pub(crate) fn number(ui: &mut Ui, face: &Face<'_>, width: f32, name: &str, value
     let drag = DragValue::new(value)
         .speed(0.05)
         .update_while_editing(false)
-        .range(-1e9..=1e9)
+        .range(f32::MIN..=f32::MAX)
         .custom_formatter(|x, _| numbers::short(&Value::F64(x)))
         .custom_parser(|text| text.trim().replace('−', "-").replace(',', ".").parse().ok());
     let (rect, _) = ui.allocate_exact_size(vec2(width, face.look.button_height()), egui::Sense::hover());

@@ -202,7 +202,11 @@ fn the_picture_of_two_sides_has_both() {
 fn a_scene_that_cannot_be_stepped_says_so_in_both_panes() {
     let mut window = window(1280.0, 720.0);
     window.state_mut().app_mut().open_preset("order-of-blending");
-    window.state_mut().app_mut().document.compare(Some(Setting::FillRule(FillRule::Strict)));
+    window.state_mut().app_mut().open_lab("z-buffer");
+    let document = &mut window.state_mut().app_mut().document;
+    // The lab's steps are those of one depth test; these are two.
+    document.scene.draws[0].depth.write ^= true;
+    document.compare(Some(Setting::FillRule(FillRule::Strict)));
     window.run();
     assert!(window.state().app().problem().is_some());
     window.key_press(Key::Escape);

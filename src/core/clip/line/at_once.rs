@@ -138,7 +138,8 @@ fn part(segment: &Segment, window: &Window) -> Part {
         let index = PLACES[end][(code << 4 | to_the_right) as usize % PLACES[end].len()];
         places.get(usize::from(index)).copied().unwrap_or_default()
     };
-    let visible = to_the_right != 0 && to_the_right != ALL_CORNERS;
+    // Neither none nor all, in one comparison: two are two branches.
+    let visible = (to_the_right + 1) & (ALL_CORNERS - 1) != 0;
     Part { segment: [place(0, code1), place(1, code2)], visible }
 }
 

@@ -31,6 +31,7 @@ error-not-a-list = { $field } must be a list in brackets.
 error-not-skips = { $field } must be "all", "none" or a list of names in brackets.
 error-list-length = { $field } must hold { $wanted } values, not { $count }.
 error-too-large = { $field } rounds to an infinite binary32 number: at most about 3.4 × 10³⁸ is allowed.
+error-too-far = { $field } must lie within { $most } pixels of the origin: clip the line first.
 error-bad-samples = { $field } must be 1, 2, 4 or 8.
 error-bad-size = { $field } must be two whole numbers from 1 to 16384, together at most 2²⁸ pixels.
 error-too-few-corners = { $field } must hold at least 3 corners, not { $count }.

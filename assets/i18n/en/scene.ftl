@@ -485,6 +485,80 @@ preset-homogeneous-near-plane = The near plane is a fourth edge. It cuts off wha
 
 preset-homogeneous-edge-on-name = Seen edge-on
 preset-homogeneous-edge-on = The eye lies in the plane of the triangle. The determinant is 0, so nothing is drawn.
+preset-steps-gentle-name = A gentle line
+preset-steps-gentle = Eleven columns, so ten steps. y grows by the same amount at each and is rounded for each pixel.
+
+preset-steps-steep-name = A steep line
+preset-steps-steep = The longer way is along y: each step goes down one row, and x is the one that is rounded.
+
+preset-steps-backwards-name = Backwards
+preset-steps-backwards = From right to left the steps are negative. In exact arithmetic the same pixels are drawn from either end.
+
+preset-steps-f32-tie-name = A tie that rounding breaks
+preset-steps-f32-tie = After three steps y is exactly 1.5. In f32 three times 0.16666667 ends below that, and another pixel is drawn.
+
+preset-steps-f64-tie-name = The same in f64
+preset-steps-f64-tie = More digits break fewer ties, but they still break some. This line differs in f64 as well.
+
+preset-steps-one-pixel-name = Both ends in one pixel
+preset-steps-one-pixel = No step is needed, and no division: it would be 0 / 0. The pixel is drawn.
+
+preset-octant-gentle-name = A gentle line
+preset-octant-gentle = d says at each step which of two pixels is nearer. It is a whole number and changes by additions alone.
+
+preset-octant-steep-name = A steep line
+preset-octant-steep = The roles of x and y change: each step goes down one row, and d says when to go aside by one column.
+
+preset-octant-backwards-name = Left and up
+preset-octant-backwards = In all eight directions the same text works: only the signs of the two steps change.
+
+preset-octant-tie-name = d = 0: two pixels equally near
+preset-octant-tie = Every second step passes exactly between two pixels. The lower one is taken, from either end.
+
+preset-octant-diagonal-name = The diagonal
+preset-octant-diagonal = d is above 0 at every step, so each goes aside: the pixels touch in their corners only.
+
+preset-octant-rounded-ends-name = Ends between centres
+preset-octant-rounded-ends = The ends are moved to pixel centres, so another line is drawn than was given: the dashed one is the given one.
+
+preset-two-sides-line-name = Rounded ends and unrounded
+preset-two-sides-line = Bresenham moves both ends and draws both. By the diamond-exit rule nothing moves, and the last pixel is not drawn.
+
+preset-diamond-unrounded-name = Unrounded ends
+preset-diamond-unrounded = The pixel where the line starts is drawn, because the line leaves its diamond. The one where it ends is not.
+
+preset-diamond-starts-beyond-name = Starts between diamonds
+preset-diamond-starts-beyond = The start is in pixel (2, 2), but right of its diamond: the line never leaves it, so the pixel is not drawn.
+
+preset-diamond-ends-before-name = Ends before a diamond
+preset-diamond-ends-before = The line reaches the last column but ends before the diamond there. The pixel before is the last one.
+
+preset-diamond-steep-name = A steep line
+preset-diamond-steep = A steep line is walked row by row, and the right corner of a diamond belongs to it.
+
+preset-diamond-along-edges-name = Along the edges of diamonds
+preset-diamond-along-edges = The line runs along lower left edges. They belong to the diamonds, the upper right ones do not: one pixel a column.
+
+preset-diamond-inside-name = Inside one diamond
+preset-diamond-inside = The line starts and ends in one diamond, so it leaves none: a short line can draw nothing.
+
+preset-square-one-name = Size 1
+preset-square-one = A point of size 1 draws one pixel, wherever it lies: the square is as wide as the centres are apart.
+
+preset-square-between-name = Size 1, on a corner of pixels
+preset-square-between = Four pixel centres are the corners of the square. The upper left one is in, the others are out.
+
+preset-square-three-name = Size 3
+preset-square-three = Three columns and three rows, or now and then a tie that changes nothing: it is still three.
+
+preset-square-half-name = Smaller than a pixel
+preset-square-half = A point of size 0.5 draws a pixel only if it lies near its centre. Moved from there, it vanishes.
+
+preset-square-two-on-centre-name = Size 2, on a centre
+preset-square-two-on-centre = All sides run through centres: two columns and two rows, those at the left and the upper side.
+
+preset-square-off-image-name = Over the border of the image
+preset-square-off-image = Only the pixels of the image are drawn, though the place of the point lies outside.
 
 preset-depth-two-triangles-name = B over A: smaller depth wins
 preset-depth-two-triangles = A and B overlap, and neither is nearer everywhere. Each pixel compares two codes.

@@ -8,6 +8,7 @@ mod area_ratios;
 mod back_face;
 mod backtracking;
 mod blend;
+mod bresenham;
 mod bvh;
 mod clip_line;
 mod clip_plane;
@@ -16,7 +17,10 @@ mod clip_triangle;
 mod cohen_sutherland;
 mod corners;
 mod cyrus_beck;
+mod dda;
 mod depth_precision;
+mod diamond_exit;
+mod draw_line;
 mod edge_table;
 mod fill_triangle;
 mod frustum_culling;
@@ -32,6 +36,7 @@ mod pipeline;
 mod placing;
 mod plane_equation;
 mod point_clipping;
+mod points;
 mod scanline;
 mod stencil;
 mod sutherland_hodgman;
@@ -176,6 +181,10 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(tiled::LAB),
         Box::new(homogeneous::Homogeneous),
         Box::new(edge_table::EdgeTable),
+        Box::new(dda::LAB),
+        Box::new(bresenham::LAB),
+        Box::new(diamond_exit::LAB),
+        Box::new(points::Points),
         Box::new(stencil::Stencil),
         Box::new(msaa::Msaa),
         Box::new(area_ratios::LAB),

@@ -42,7 +42,7 @@ impl App {
             Command::Begin => self.seek(|app| app.run.seek(0)),
             Command::End => self.seek(|app| app.run.seek(usize::MAX)),
             Command::ToLine(line) => self.seek(|app| app.run.seek_line(line)),
-            Command::ToFragment(index) => self.to_fragment(index),
+            Command::ToFragment(index) => self.step_to_fragment(index),
             Command::Pixel(pixel) => self.choose_pixel(pixel),
             Command::MovePixel(by) => {
                 let [width, height] = self.document.scene.size;
@@ -150,7 +150,7 @@ impl App {
 
     /// Goes to the verdict on a fragment of the chosen pixel, if the run has as many fragments there as
     /// the history: a lab may run something else than the scene.
-    fn to_fragment(&mut self, index: usize) {
+    fn step_to_fragment(&mut self, index: usize) {
         let Some(pixel) = self.view.pixel else { return };
         let words = Rc::clone(&self.words);
         let Some(history) = self.overview.history(pixel, &words) else { return };

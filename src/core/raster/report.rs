@@ -127,9 +127,9 @@ fn kind(edge: &Edge, y_axis: YAxis) -> &'static str {
     if ay == by {
         // Under the top-left rule a horizontal edge draws its ties if it is a top one.
         let top = Edge::new(edge.ends[0], edge.ends[1], FillRule::TopLeft, y_axis).draws_ties;
-        return if top { "edge-top" } else { "edge-bottom" };
+        return if top { "word-edge-top" } else { "word-edge-bottom" };
     }
-    if edge.is_left() { "edge-left" } else { "edge-right" }
+    if edge.is_left() { "word-edge-left" } else { "word-edge-right" }
 }
 
 /// What an edge says, in a word.

@@ -64,10 +64,10 @@ impl Snapshot {
         let [with_x, with_y] = gradient(self.vertices, edge.min(2), self.turned);
         let below = if self.settings.y_axis == YAxis::Down { with_y } else { -with_y };
         match (with_x.is_zero(), with_x.is_positive(), below.is_positive()) {
-            (true, _, true) => "edge-top",
-            (true, _, false) => "edge-bottom",
-            (false, true, _) => "edge-left",
-            (false, false, _) => "edge-right",
+            (true, _, true) => "word-edge-top",
+            (true, _, false) => "word-edge-bottom",
+            (false, true, _) => "word-edge-left",
+            (false, false, _) => "word-edge-right",
         }
     }
 }

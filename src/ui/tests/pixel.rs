@@ -27,8 +27,8 @@ fn a_row_of_the_history_goes_to_the_step_of_its_fragment() {
 fn a_scene_with_a_stencil_is_stepped_at_a_pixel_too() {
     let mut window = window(1280.0, 720.0);
     window.state_mut().app_mut().open_preset("stencil-mask");
-    at(&mut window, [18, 13]);
-    window.get_by_label_contains("B: passed").click();
+    at(&mut window, [16, 13]);
+    window.get_by_label_contains("B 1: passed").click();
     window.run();
     let shown = window.state().app().run.shown().expect("it runs");
     assert!(shown.sentence.id.starts_with("stencil-pass"), "{}", shown.sentence.id);

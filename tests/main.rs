@@ -2,6 +2,7 @@
 //! conformance. No display, no network, no clock.
 
 mod back_face;
+mod bench;
 mod blend;
 mod bvh;
 mod cli;

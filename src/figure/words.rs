@@ -111,6 +111,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "stencil"
     "z-buffer"
     "blend"
+    "bench"
     "figure"
     "cli"
     "tour"

@@ -2,9 +2,10 @@
 
 use crate::support::{Random, areas, plane_value, triangle};
 use rasterscope_core::{
-    depth::{DepthFormat, DepthPlane},
+    depth::{DepthFormat, DepthPlane, DepthRows},
     interpolate::{InterpolateError, Interpolator, Mode, interpolate, unorm},
     math::{Arithmetic, Dyadic, Sign, Tally, orient2d},
+    raster::{Algorithm, Settings, rows},
 };
 use rasterscope_figure::words::Words;
 
@@ -217,6 +218,50 @@ fn depth_equals_the_oracle_within_the_vertices_range() {
         }
     }
     assert!(checked > 3_000, "{checked} of all pixels are inside");
+}
+
+/// Of slivers, huge and denormal triangles: each pixel that a rasterizer finds, in the forms that the frame
+/// engine uses.
+#[test]
+fn every_covered_centre_has_the_oracles_depth_and_attribute() {
+    let mut random = Random::new(48);
+    let (mut seen, mut tally) = (0, Tally::default());
+    for _ in 0..2_500 {
+        let (points, z, a) = (triangle(&mut random), values(&mut random), values(&mut random));
+        let with_z = [0, 1, 2].map(|i| [points[i][0], points[i][1], z[i]]);
+        let r = [0; 3].map(|_| random.uniform(0.05, 1.0));
+        let with_r = [0, 1, 2].map(|i| [points[i][0], points[i][1], r[i]]);
+        let plane = DepthPlane::new(with_z, Arithmetic::Exact, &mut tally);
+        let fast = DepthFormat::ALL.map(|format| DepthRows::new(with_z, format, &mut tally));
+        let interpolator = Interpolator::new(with_r, &mut tally);
+        for span in rows(random.pick(&Algorithm::ALL), points, &Settings::new([9, 7]), &mut tally) {
+            for x in span.begin..span.end {
+                let pixel = [x, span.y];
+                let (num, den) = plane_value(&with_z, pixel);
+                for (format, fast) in DepthFormat::ALL.into_iter().zip(&fast) {
+                    let code = match format.max_code() {
+                        None => Dyadic::ratio_to_f32(&num, &den).to_bits(),
+                        Some(max) => Dyadic::ratio_to_code(&num, &den, max),
+                    };
+                    assert_eq!(
+                        plane.code(pixel, format, &mut tally),
+                        code,
+                        "{format:?} {with_z:?} {pixel:?}"
+                    );
+                    assert_eq!(fast.row(span.y).code(x, &mut tally), code, "{format:?} {with_z:?} {pixel:?}");
+                }
+                let weights = areas(points, pixel.map(|n| n as f32 + 0.5));
+                let weights = [0, 1, 2].map(|i| &weights[i] * &Dyadic::from(r[i]));
+                let (num, den) = (dot(&weights, a), dot(&weights, [1.0; 3]));
+                let at = interpolator.as_ref().expect("it covers a pixel").at(pixel, &mut tally);
+                assert_eq!(at.value(a, &mut tally), Dyadic::ratio_to_f32(&num, &den), "{with_r:?} {a:?}");
+                let code = Dyadic::ratio_to_code(&num, &den, 255);
+                assert_eq!(u32::from(at.code8(a, &mut tally)), code, "{with_r:?} {a:?} {pixel:?}");
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 10_000, "{seen}");
 }
 
 #[test]

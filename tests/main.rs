@@ -1,6 +1,7 @@
 //! Headless tests over core, figure and cli: laws that hold for every algorithm, golden logs,
 //! conformance. No display, no network, no clock.
 
+mod area_ratios;
 mod back_face;
 mod bench;
 mod blend;
@@ -15,22 +16,33 @@ mod cohen_sutherland;
 mod compare;
 mod compute;
 mod compute_lines;
+mod compute_raster;
 mod coverage;
 mod cyrus_beck;
+mod depth_precision;
 mod edge_table;
+mod engine;
 mod frustum_culling;
+mod homogeneous;
 mod house;
 mod interpolate;
 mod lantern;
 mod liang_barsky;
 mod meshes;
 mod midpoint;
+mod msaa;
+mod multisample;
 mod nicholl_lee_nicholl;
 mod obj;
+mod perspective_correction;
 mod pipeline;
+mod pixel_history;
+mod plane_equation;
 mod point_clipping;
+mod points;
 mod polygon_presets;
 mod presets;
+mod raster_lines;
 mod raster_presets;
 mod render;
 mod replay;

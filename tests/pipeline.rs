@@ -191,7 +191,7 @@ fn history_names_the_reasons_of_the_known_pixel() {
     ];
     assert_eq!(names, expected);
     let depths = history.entries.iter().filter_map(|entry| match entry.outcome {
-        Outcome::Depth { new, stored } => Some((new, stored)),
+        Outcome::Depth { new, stored, .. } => Some((new, stored)),
         _ => None,
     });
     assert_eq!(depths.collect::<Vec<_>>(), [(0xE7BC, 0xDF60)]);
@@ -201,7 +201,10 @@ fn history_names_the_reasons_of_the_known_pixel() {
     });
     assert_eq!(outside, Some((0, -248.86)));
     let culled = history.entries.iter().find(|entry| entry.name == "C").map(|entry| entry.outcome);
-    assert_eq!(culled, Some(Outcome::Culled { facing: Facing::Back, would_cover: true }));
+    let Some(Outcome::Culled { facing: Facing::Back, determinant, would_cover: true }) = culled else {
+        panic!("{culled:?}");
+    };
+    assert!(determinant < 0.0, "front is counter-clockwise: {determinant}");
 }
 
 #[test]

@@ -226,7 +226,7 @@ fn spans_are_what_their_names_say() {
 #[test]
 fn fragments_are_as_many_as_in_the_mock() {
     let scene = scene("depth-two-triangles");
-    let Some(LabInput::ZBuffer(ZBuffer { triangles: Some(triangles) })) = scene.lab.map(|lab| lab.input)
+    let Some(LabInput::ZBuffer(ZBuffer { triangles: Some(triangles), .. })) = scene.lab.map(|lab| lab.input)
     else {
         panic!("it opens the lab");
     };

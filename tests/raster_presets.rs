@@ -2,9 +2,11 @@
 
 use crate::{presets::scene, support::areas};
 use rasterscope_core::{
+    compare::Pair,
     labs::{FillTriangle, LabInput},
     math::Tally,
     raster::{Algorithm, Counts, FillRule, Settings, Span, cover, rows},
+    replay::Budget,
 };
 
 fn vertices(name: &str) -> ([[f32; 2]; 3], Settings) {
@@ -80,4 +82,32 @@ fn the_other_turning_sense_covers_the_same_pixels() {
     assert_eq!([one[0], one[2], one[1]], other);
     let spans = [one, other].map(|t| rows(Algorithm::Aabb, t, &settings, &mut Tally::default()));
     assert_eq!(spans[0], spans[1]);
+}
+
+#[test]
+fn switches_change_as_many_pixels_as_their_presets_say() {
+    // Pixels of side A alone, and of side B alone.
+    for (name, expected) in [
+        ("vertices-fixed-4", [2, 0]),
+        ("vertices-whole", [6, 6]),
+        ("edge-epsilon", [3, 1]),
+        ("edge-epsilon-tiny", [1, 0]),
+        ("zigzag-against-backtracking", [0, 0]),
+        ("tiles-against-box", [0, 0]),
+    ] {
+        let pair = Pair::play(&scene(name), Budget::default()).expect("it compares");
+        let pair = pair.unwrap_or_else(|problem| panic!("{name}: {}", problem.id));
+        let difference = pair.difference();
+        assert_eq!([difference.only_a.len(), difference.only_b.len()], expected, "{name}");
+        assert!(difference.changed.is_empty() && difference.same + expected[0] > 0, "{name}");
+    }
+}
+
+#[test]
+fn slopes_added_up_lose_rows_far_down() {
+    let pair = Pair::play(&scene("slopes-added-up"), Budget::default()).expect("it compares");
+    let pair = pair.unwrap_or_else(|problem| panic!("{}", problem.id));
+    let rows = |facts: &[rasterscope_core::compare::Fact]| facts.len();
+    let moved = rows(&pair.difference().only_a) + rows(&pair.difference().only_b);
+    assert_eq!(moved, 28);
 }

@@ -5,7 +5,7 @@ use rasterscope_core::{
     explain::Role,
     math::{Arithmetic, Tally},
     raster::{
-        FillRule, Settings, Span, YAxis,
+        FillRule, Mistake, Settings, Span, YAxis,
         scanline::{self, Event, Snapshot},
     },
     replay::{Budget, Playback},
@@ -85,6 +85,7 @@ fn keeps_the_laws() {
             y_axis: random.pick(&[YAxis::Down, YAxis::Up]),
             // Overflow gives NaN, which is not equal to itself.
             arithmetic: if huge { Arithmetic::Exact } else { random.pick(&Arithmetic::ALL) },
+            mistake: Some(random.pick(&Mistake::ALL)).filter(|_| !huge && random.below(3) == 0),
             ..Settings::new([9, 7])
         };
         let mut fast = Vec::new();

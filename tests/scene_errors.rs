@@ -94,7 +94,7 @@ fn a_bad_field_is_named_by_its_path() {
         (bare(r#""model":"a\u0000b""#), "no-file-name", "draws[1].model"),
         (draw(r#""indices":[[0,1,4294967296]]"#), "range", "draws[1].indices[0][2]"),
         (draw(r#""texture":{"kind":"checker","squares":0}"#), "not-positive", "draws[1].texture.squares"),
-        (top(r#""samples":4"#), "samples", "samples"),
+        (top(r#""samples":3"#), "samples", "samples"),
         // The camera.
         (top(r#""camera":{"near":0}"#), "not-positive", "camera.near"),
         (top(r#""camera":{"near":10}"#), "far-before-near", "camera.far"),

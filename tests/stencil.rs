@@ -138,7 +138,14 @@ fn run(draws: &[Draw], settings: &Settings) -> (Image, Vec<Event>) {
 }
 
 fn plain(name: &str, triangles: Vec<Triangle>, stencil: Option<StencilState>) -> Draw {
-    Draw { name: name.into(), triangles, enlarged: None, depth: DepthState::default(), stencil }
+    Draw {
+        name: name.into(),
+        triangles,
+        enlarged: None,
+        depth: DepthState::default(),
+        stencil,
+        visible: true,
+    }
 }
 
 /// Three draws: one writes 1, one fails in part by depth, one is drawn where 1 is not.
@@ -242,7 +249,8 @@ fn any_draws(random: &mut Random) -> (Vec<Draw>, Settings) {
             write: random.below(3) > 0,
         };
         let stencil = (random.below(4) > 0).then(|| any_state(random));
-        Draw { depth, ..plain(["A", "B", "C"][i], triangles, stencil) }
+        let visible = random.below(5) > 0;
+        Draw { depth, visible, ..plain(["A", "B", "C"][i], triangles, stencil) }
     });
     (draws.collect(), settings)
 }

@@ -3,9 +3,10 @@
 
 use crate::support::{Coverage, Random, check_golden, check_laws, covered, log_text, triangle};
 use rasterscope_core::{
+    explain::Explain,
     math::{Arithmetic, Tally},
     raster::{
-        Algorithm, Counts, FillRule, Settings, Span, YAxis,
+        Algorithm, Counts, FillRule, Mistake, Settings, Span, YAxis,
         aabb::Aabb,
         backtracking::Backtracking,
         cover, homogeneous,
@@ -13,6 +14,7 @@ use rasterscope_core::{
         traversal::{self, Event, Snapshot, Traversal},
         zigzag::Zigzag,
     },
+    replay::Budget,
 };
 
 type Triangle = [[f32; 2]; 3];
@@ -40,6 +42,7 @@ fn keeps_the_laws<A: Traversal>() {
             y_axis: random.pick(&[YAxis::Down, YAxis::Up]),
             // Overflow gives NaN, which is not equal to itself.
             arithmetic: if huge { Arithmetic::Exact } else { random.pick(&Arithmetic::ALL) },
+            mistake: Some(random.pick(&Mistake::ALL)).filter(|_| !huge && case % 3 == 0),
             ..Settings::new(if large { [80, 70] } else { [9, 7] })
         };
         let mut fast = Vec::new();
@@ -107,6 +110,77 @@ fn what_each_way_leaves_out() {
     assert!([backtracking, zigzag, tiled].iter().all(|other| other.covered == aabb.covered));
     assert!(tiled.tested < zigzag.tested && zigzag.tested < aabb.tested, "{tiled:?} {zigzag:?} {aabb:?}");
     assert!(zigzag.tested < backtracking.tested, "{zigzag:?} {backtracking:?}");
+}
+
+#[test]
+fn the_table_of_all_ways_counts_what_each_run_reports() {
+    let mut random = Random::new(31);
+    let mut seen = 0;
+    for _ in 0..200 {
+        let vertices = triangle(&mut random).map(|vertex| vertex.map(|value| value * 4.0));
+        let settings = Settings::new([40, 30]);
+        let ways = traversal::of_each_way(vertices, &settings);
+        assert_eq!(ways.len(), 4);
+        for (algorithm, visits) in ways {
+            let counts = cover(algorithm, vertices, &settings, &mut Tally::default(), &mut |_| {});
+            assert_eq!((u64::from(visits.tested), u64::from(visits.drawn)), (counts.tested, counts.covered));
+            assert!(visits.visited <= visits.tested && visits.wasted <= visits.tested, "{visits:?}");
+            match algorithm {
+                Algorithm::Aabb | Algorithm::Zigzag => assert_eq!(visits.visited, visits.tested),
+                Algorithm::Backtracking => {
+                    assert!(visits.tested <= 2 * visits.visited + 2 * settings.size[1]);
+                }
+                _ => assert!(visits.drawn == 0 || visits.tiles > 0),
+            }
+            seen += visits.drawn;
+        }
+    }
+    assert!(seen > 20_000, "{seen}");
+    assert!(
+        traversal::of_each_way([[0.0, 0.0], [1e9, 0.0], [0.0, 1e9]], &Settings::new([400, 400])).is_empty()
+    );
+}
+
+/// What a click on a pixel tells is what the run does.
+#[test]
+fn the_report_of_a_pixel_is_what_the_run_draws() {
+    let mut random = Random::new(37);
+    let (mut ties, mut warned) = (0, 0);
+    for _ in 0..300 {
+        let vertices = triangle(&mut random);
+        let settings = Settings {
+            fill_rule: random.pick(&FillRule::ALL),
+            arithmetic: random.pick(&Arithmetic::ALL),
+            mistake: random.pick(&[None, None, Some(Mistake::EpsilonLarge), Some(Mistake::WholeVertices)]),
+            ..Settings::new([9, 7])
+        };
+        if vertices.iter().flatten().any(|value| value.abs() > 1e18) {
+            continue;
+        }
+        let player =
+            traversal::play::<Aabb>(vertices, Settings { skip_row: false, ..settings }, Budget::default());
+        let drawn = covered_by::<Aabb>(vertices, &Settings { skip_row: false, ..settings });
+        let truth = covered(vertices, &settings);
+        let holds = |spans: &[Span], [x, y]: [u32; 2]| {
+            spans.iter().any(|span| span.y == y && (span.begin..span.end).contains(&x))
+        };
+        for at in (0..63).map(|i| [i % 9, i / 9]) {
+            let report = player.state().pixel(at).expect("it is in the image");
+            let says = matches!(report.sentence.id, "pixel-in" | "pixel-tie-drawn");
+            assert_eq!(says, holds(&drawn, at), "{vertices:?} {at:?}");
+            if report.sentence.id != "pixel-zero-area" {
+                assert_eq!(report.warning.is_some(), says != holds(&truth, at), "{vertices:?} {at:?}");
+            }
+            ties += u32::from(report.sentence.id.starts_with("pixel-tie"));
+            warned += u32::from(report.warning.is_some());
+        }
+        assert_eq!(player.state().pixel([9, 0]), None);
+    }
+    assert!(ties > 100 && warned > 100, "{ties} ties, {warned} warnings");
+}
+
+fn covered_by<A: Traversal>(vertices: Triangle, settings: &Settings) -> Vec<Span> {
+    run::<A>(vertices, settings).0
 }
 
 /// With every w = 1 it is the plane; with any w > 0 it is the projected triangle if nothing is rounded.

@@ -1,6 +1,6 @@
 //! `rasterscope list`: labs, algorithms and presets, a sentence each.
 
-use rasterscope_core::{clip, labs, raster, scene::PRESETS};
+use rasterscope_core::{labs, scene::PRESETS};
 use std::io::{self, Write};
 
 use crate::{Failure, failure::written, words};
@@ -14,15 +14,7 @@ fn write(output: &mut dyn Write) -> io::Result<()> {
     let about = |name: &'static str| (name, words::of(&format!("{name}-about")));
     let presets = PRESETS.iter().map(|preset| (preset.name, words::of(&format!("preset-{}", preset.name))));
     section(output, "cli-labs", labs::ALL.iter().map(|lab| about(lab.name)))?;
-    section(output, "cli-algorithms", without_steps().map(about))?;
     section(output, "cli-presets", presets)
-}
-
-/// The algorithms that can be computed with, but not stepped.
-pub(crate) fn without_steps() -> impl Iterator<Item = &'static str> {
-    let lines = clip::line::Algorithm::ALL.map(clip::line::Algorithm::name);
-    let rasters = raster::Algorithm::ALL.map(raster::Algorithm::name);
-    lines.into_iter().chain(rasters).filter(|name| labs::find(name).is_none())
 }
 
 /// A heading, and below it names with their sentences in two columns.

@@ -21,7 +21,6 @@ use crate::{
     Failure,
     failure::written,
     files,
-    list::without_steps,
     words::{WORDS, say},
 };
 
@@ -81,9 +80,7 @@ pub(crate) fn check_name(lab: &str) -> Result<(), Failure> {
         return Ok(());
     }
     let known: Vec<_> = labs::ALL.iter().map(|lab| lab.name).collect();
-    let stepless = without_steps().any(|name| name == lab);
-    let id = if stepless { "error-algorithm-without-steps" } else { "error-unknown-lab" };
-    let message = Message::new(id).with("lab", Value::text(lab));
+    let message = Message::new("error-unknown-lab").with("lab", Value::text(lab));
     Err(Failure::usage(&message.with("known", Value::text(known.join(", ")))))
 }
 

@@ -5,12 +5,19 @@
 //! what a mark means, a [`Message`] names a sentence.
 
 mod cells;
+mod label;
 mod operations;
+mod pixel;
 mod space;
+mod table;
 
 pub(crate) use cells::Cells;
+pub use cells::MOST_PIXELS;
+pub use label::Label;
 pub use operations::Operations;
+pub use pixel::PixelReport;
 pub use space::{Solid, Vantage, box_corners};
+pub use table::{Formula, Piece, Row, Table};
 
 use crate::{
     compare::Fact,
@@ -92,36 +99,6 @@ pub fn letter(index: usize) -> String {
     }
 }
 
-/// A name with values, shown in one plate: `P1′ (2.375, 2)`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Label {
-    /// A name of the listing or of the document; empty for a bare value.
-    pub name: String,
-    /// Shown behind the name; a vector in parentheses.
-    pub value: Value,
-    /// Index of the object that it names: the plate wears its fill.
-    pub object: Option<usize>,
-}
-
-impl Label {
-    /// A name without a value.
-    pub fn name(name: impl Into<String>) -> Self {
-        Self::new(name, Value::None)
-    }
-
-    /// A name and its value.
-    pub fn new(name: impl Into<String>, value: impl Into<Value>) -> Self {
-        Self { name: name.into(), value: value.into(), object: None }
-    }
-
-    /// Says that it names an object, whose fill the plate wears.
-    #[must_use]
-    pub fn of(mut self, object: usize) -> Self {
-        self.object = Some(object);
-        self
-    }
-}
-
 /// Geometry to draw, in the scene units of the algorithm's [`View`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mark {
@@ -187,6 +164,13 @@ pub enum Mark {
         /// Value at its centre, when there is room.
         value: Value,
     },
+    /// How late in the run one pixel came: the later, the stronger the shade over its fill.
+    Shade {
+        /// Column and row.
+        at: [i32; 2],
+        /// More than 0, the last is 1.
+        share: f32,
+    },
     /// A half-open span on the centre line of row `y`: filled end closed, ring end open.
     Span {
         /// Row.
@@ -217,6 +201,13 @@ pub enum Mark {
         sign: Sign,
         /// What it means here.
         meaning: Message,
+    },
+    /// What the readout says when the pointer is at a place; nothing is drawn.
+    Hint {
+        /// Where.
+        at: [f32; 2],
+        /// What is known there.
+        text: Message,
     },
     /// Equal pixels of a row, where there are more than [`MOST_PIXELS`] for a mark each.
     Run {
@@ -249,10 +240,6 @@ pub enum Sign {
     Line,
 }
 
-/// More pixels than these stand in [`Mark::Run`]s: a mark each would take longer than a frame, and
-/// they are too small to show a value.
-pub const MOST_PIXELS: usize = 1 << 15;
-
 /// What part of the plane an algorithm is about, and how it is laid out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
@@ -280,71 +267,6 @@ pub enum Grid {
     Units,
     /// Pixel cells with rulers.
     Pixels,
-}
-
-/// One piece of a formula.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Piece {
-    /// Signs and names, the same in every language.
-    Text(&'static str),
-    /// A number put in.
-    Number(Value),
-    /// The number that comes out: highlighted.
-    Result(Value),
-}
-
-/// A formula in its names, and the same with this step's numbers.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Formula {
-    /// Such as `t = (ymin − y1) / (y2 − y1)`.
-    pub general: &'static str,
-    /// The same with numbers, piece by piece.
-    pub numbers: Vec<Piece>,
-}
-
-/// Values to show as a table.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Table {
-    /// Message id of its title.
-    pub title: &'static str,
-    /// Headings; names of the listing or message ids that start with `column-`.
-    pub columns: Vec<&'static str>,
-    /// Rows in order.
-    pub rows: Vec<Row>,
-}
-
-/// One row of a [`Table`].
-#[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// Its heading: a name of the listing, an index, or a message id that starts with `row-`.
-    pub name: String,
-    /// One value for each column.
-    pub cells: Vec<Value>,
-    /// Whether it is the row the step is about.
-    pub active: bool,
-    /// A marker before it.
-    pub role: Option<Role>,
-}
-
-impl Row {
-    /// A row without marks.
-    pub fn new(name: impl Into<String>, cells: Vec<Value>) -> Self {
-        Self { name: name.into(), cells, active: false, role: None }
-    }
-
-    /// Marks it as what the step is about.
-    #[must_use]
-    pub fn active(mut self, active: bool) -> Self {
-        self.active = active;
-        self
-    }
-
-    /// Puts a marker before it.
-    #[must_use]
-    pub fn role(mut self, role: impl Into<Option<Role>>) -> Self {
-        self.role = role.into();
-        self
-    }
 }
 
 /// A mark on the timeline.
@@ -391,6 +313,14 @@ pub trait Explain: State {
     fn view(&self) -> View;
     /// From where a drawing in space is seen first; `None` if all marks lie in the plane.
     fn vantage(&self) -> Option<Vantage> {
+        None
+    }
+    /// Why a pixel, as column and row, is drawn in the end or not; `None` if the lab decides about none.
+    fn pixel(&self, _at: [u32; 2]) -> Option<PixelReport> {
+        None
+    }
+    /// The pixel whose fragment `event` brings; the next event is its verdict. `row`: that in hand.
+    fn fragment(_event: &Self::Event, _row: &mut u32) -> Option<[u32; 2]> {
         None
     }
     /// The result so far as facts, as computed and in any order: what a comparison of two runs

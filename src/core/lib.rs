@@ -37,3 +37,5 @@ pub mod stencil;
 pub mod blend;
 
 pub mod pipeline;
+
+pub mod engine;

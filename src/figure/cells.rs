@@ -260,6 +260,14 @@ fn fill(canvas: &mut Canvas<'_>, rect: Rect, role: Role, object: Option<usize>, 
     ground
 }
 
+/// Shades a pixel over its fill: the later in the run, the stronger.
+pub(crate) fn shade(canvas: &mut Canvas<'_>, at: [i32; 2], share: f32) {
+    let color = canvas.theme.text.alpha(0.05 + 0.4 * share.clamp(0.0, 1.0));
+    if let Some(rect) = cell_rect(canvas, at, [1, 1]) {
+        run(canvas, rect, color);
+    }
+}
+
 /// Draws equal pixels of a row, from the first to the one before the last.
 pub(crate) fn cells_of_row(
     canvas: &mut Canvas<'_>,

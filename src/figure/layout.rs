@@ -89,12 +89,14 @@ pub fn draw_held(
                 }
             }
             Mark::Pixel { .. } => cells.pixel(&mut canvas, index, mark),
+            Mark::Shade { at, share } => cells::shade(&mut canvas, *at, *share),
             Mark::Run { y, columns, role, object } => {
                 cells::cells_of_row(&mut canvas, *y, *columns, *role, *object);
             }
             Mark::Span { y, ends, role } => cells.span(&mut canvas, *y, *ends, *role),
             Mark::Text { at, label, role, big } => text(&mut canvas, *at, label, *role, *big),
-            Mark::Key { .. } => {} // at the foot, when the rest has its place
+            Mark::Key { .. } => {}  // at the foot, when the rest has its place
+            Mark::Hint { .. } => {} // for a pointer
             Mark::Image { size, rgba } => image(&mut canvas, *size, rgba),
             // Of no plane: `space::seen` turns it into marks that are.
             Mark::Space(_) => {}

@@ -2,7 +2,7 @@
 
 use crate::{
     app::App,
-    document::{Document, Palette},
+    document::{Document, Palette, Tab},
     face::Command,
     files,
     opening::When,
@@ -42,6 +42,13 @@ impl App {
             Command::Begin => self.seek(|app| app.run.seek(0)),
             Command::End => self.seek(|app| app.run.seek(usize::MAX)),
             Command::ToLine(line) => self.seek(|app| app.run.seek_line(line)),
+            Command::ToFragment(index) => self.step_to_fragment(index),
+            Command::Pixel(pixel) => self.choose_pixel(pixel),
+            Command::MovePixel(by) => {
+                let [width, height] = self.document.scene.size;
+                let from = self.view.pixel.unwrap_or([width / 2, height / 2]);
+                self.choose_pixel([0, 1].map(|axis| from[axis].saturating_add_signed(by[axis].into())));
+            }
             Command::Play => self.toggle_play(ctx),
             Command::Level(level) => self.view.level = level,
             Command::Speed(speed) => self.view.speed = speed,
@@ -131,6 +138,26 @@ impl App {
                 self.notice = None;
             }
             Command::Quit => self.quit(ctx, platform),
+        }
+    }
+
+    /// Chooses a pixel of the image and shows its history.
+    fn choose_pixel(&mut self, pixel: [u32; 2]) {
+        let size = self.document.scene.size;
+        self.view.pixel = Some([0, 1].map(|axis| pixel[axis].min(size[axis] - 1)));
+        self.view.tab = Tab::Pixel;
+    }
+
+    /// Goes to the verdict on a fragment of the chosen pixel, if the run has as many fragments there as
+    /// the history: a lab may run something else than the scene.
+    fn step_to_fragment(&mut self, index: usize) {
+        let Some(pixel) = self.view.pixel else { return };
+        let words = Rc::clone(&self.words);
+        let Some(history) = self.overview.history(pixel, &words) else { return };
+        let steps = self.run.fragments_at(pixel);
+        let fragments = history.entries.iter().filter(|entry| entry.fragment).count();
+        if let (true, Some(step)) = (fragments == steps.len(), steps.get(index)) {
+            self.seek(|app| app.run.seek(*step));
         }
     }
 

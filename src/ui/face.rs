@@ -30,6 +30,12 @@ pub(crate) enum Command {
     End,
     /// Go to the next execution of a listing line.
     ToLine(usize),
+    /// Go to the verdict on a fragment of the chosen pixel, counted from 0.
+    ToFragment(usize),
+    /// Choose a pixel.
+    Pixel([u32; 2]),
+    /// Choose the pixel so many columns and rows on.
+    MovePixel([i8; 2]),
     /// Play, or stop playing.
     Play,
     /// Choose the size of a step.

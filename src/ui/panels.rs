@@ -2,6 +2,7 @@
 
 use crate::{
     app::App,
+    document::Tab,
     face::{Command, Face},
     labs::Open,
     shell::{
@@ -135,8 +136,10 @@ impl App {
                 let stages = (name == "pipeline").then(|| self.overview.table(&words));
                 let (pair, side) = (self.run.pair(), self.run.side());
                 let costs = Side::ALL.map(|side| self.run.cost(side));
-                let whole =
-                    Whole { history: history.as_deref(), stages: stages.as_deref(), pair, costs, side };
+                let decides = self.run.pixel(side, [0, 0]).is_some();
+                let report = self.view.pixel.and_then(|pixel| Some((pixel, self.run.pixel(side, pixel)?)));
+                let (history, stages) = (history.as_deref(), stages.as_deref());
+                let whole = Whole { history, stages, decides, report: report.as_ref(), pair, costs, side };
                 inspector::show(ui, &face, &frame, shown, digest, whole, &mut self.view);
             });
         CentralPanel::default().frame(plain(look.canvas, Margin::ZERO)).show(ui, |ui| {
@@ -214,6 +217,7 @@ impl App {
                 vantage: None,
                 rev: (picture.maker, picture.rev),
                 compared: None,
+                chosen: None,
             }),
             (None, Some(shown)) => Some(Drawing {
                 marks: &shown.marks,
@@ -221,6 +225,7 @@ impl App {
                 vantage: shown.vantage.as_ref(),
                 rev: (Maker::Run, shown.rev),
                 compared: None,
+                chosen: self.view.pixel.filter(|pixel| self.run.pixel(Side::A, *pixel).is_some()),
             }),
             (None, None) => None,
         };
@@ -235,9 +240,18 @@ impl App {
         };
         let mut open =
             Open { lab: self.labs[lab].as_ref(), document: &mut self.document, view: &mut self.view };
-        let hover = overview.then_some(self.canvas.hovered).flatten();
-        let hover = hover.and_then(|pixel| self.overview.hover(pixel, face.words));
-        self.canvas.show(ui, face, &mut self.textures, drawing, &mut open, hover.as_deref());
+        let before = open.view.pixel;
+        let hovered = self.canvas.hovered;
+        if overview {
+            let hover = hovered.and_then(|pixel| self.overview.hover(pixel, face.words));
+            return self.canvas.show(ui, face, &mut self.textures, drawing, &mut open, hover.as_deref());
+        }
+        let hover = self.run.hover(Side::A, hovered, face.words);
+        self.canvas.show(ui, face, &mut self.textures, drawing, &mut open, hover.as_ref());
+        let chosen = open.view.pixel.filter(|_| open.view.pixel != before);
+        if chosen.is_some_and(|pixel| self.run.pixel(Side::A, pixel).is_some()) {
+            open.view.tab = Tab::Pixel;
+        }
     }
 
     /// The choices over the canvas of a narrow window.

@@ -1,11 +1,13 @@
 //! The run on screen: a playback, or two side by side, and what it shows at its cursor.
 
+use crate::overview::Hover;
 use rasterscope_core::{
     compare::{Pair, Side},
-    explain::{Formula, Level, Mark, Marker, Operations, Table, Vantage, View},
+    explain::{Formula, Level, Mark, Marker, Operations, PixelReport, Table, Vantage, View},
     message::Message,
     replay::Playback,
 };
+use rasterscope_figure::words::Words;
 
 /// What a playback shows at its cursor; made anew only when the cursor or the run changes.
 #[derive(Clone, Debug)]
@@ -156,10 +158,38 @@ impl Run {
         self.side = side;
     }
 
+    /// Why a side draws a pixel in the end or not; `None` if its lab decides about none.
+    pub(crate) fn pixel(&self, side: Side, at: [u32; 2]) -> Option<PixelReport> {
+        match self.playing.as_ref()? {
+            Playing::One(run) => run.pixel(at),
+            Playing::Two(pair) => pair.run(side).pixel(at),
+        }
+    }
+
+    /// The same of the pixel under the pointer, in one line.
+    pub(crate) fn hover(&self, side: Side, pixel: Option<[u32; 2]>, words: &Words) -> Option<Hover> {
+        let pixel = pixel?;
+        let PixelReport { sentence, warning, .. } = self.pixel(side, pixel)?;
+        let lines = [Some(sentence), warning].into_iter().flatten().map(|line| words.message(&line));
+        Some(Hover { pixel, text: lines.collect::<Vec<_>>().join(" ") })
+    }
+
     /// How often an algorithm ran: tests assert on it.
     #[cfg(test)]
     pub(crate) fn runs(&self) -> usize {
         self.runs
+    }
+
+    /// The steps of the verdicts on the fragments of a pixel, of the side that is explained.
+    pub(crate) fn fragments_at(&self, pixel: [u32; 2]) -> Vec<usize> {
+        match &self.playing {
+            None => Vec::new(),
+            Some(Playing::One(run)) => run.fragments_at(pixel),
+            Some(Playing::Two(pair)) => {
+                let steps = pair.run(self.side).fragments_at(pixel);
+                steps.into_iter().map(|own| pair.step_of(self.side, own)).collect()
+            }
+        }
     }
 
     /// Goes to a step.

@@ -97,8 +97,9 @@ impl App {
         let mut open =
             Open { lab: self.labs[lab].as_ref(), document: &mut self.document, view: &mut self.view };
         let (canvas, textures) = (&mut self.canvas, &mut self.textures);
+        let hover = self.run.hover(Side::A, canvas.hovered, face.words);
         inside(ui, body(left), "side A", |ui| {
-            canvas.show(ui, face, textures, drawing(Side::A, shown_a), &mut open, None);
+            canvas.show(ui, face, textures, drawing(Side::A, shown_a), &mut open, hover.as_ref());
         });
         let x = ui.painter().round_to_pixel_center(left.right());
         ui.painter().vline(x, rect.y_range(), Stroke::new(1.0, face.look.line));
@@ -115,8 +116,9 @@ impl App {
         self.beside.follow(&self.canvas, placed, views[1], body(right).size());
         let mut open = Open { lab: lab.as_ref(), document: &mut other, view: &mut self.view };
         let (canvas, textures) = (&mut self.beside, &mut self.textures);
+        let hover = self.run.hover(Side::B, canvas.hovered, face.words);
         inside(ui, body(right), "side B", |ui| {
-            canvas.show(ui, face, textures, drawing(Side::B, shown_b), &mut open, None);
+            canvas.show(ui, face, textures, drawing(Side::B, shown_b), &mut open, hover.as_ref());
         });
         if let Some(now) = self.beside.placement().filter(|now| *now != placed) {
             self.canvas.moved_to(stand_beside(now, views[1], views[0]));
@@ -181,5 +183,5 @@ fn drawing<'a>(
     let facts = pair.map_or(&[][..], |pair| pair.facts(side));
     let compared = Some(Compared { side, facts, difference, chosen: chosen.filter(|_| done) });
     let vantage = shown.vantage.as_ref();
-    Drawing { marks: &shown.marks, view, vantage, rev: (Maker::Run, shown.rev), compared }
+    Drawing { marks: &shown.marks, view, vantage, rev: (Maker::Run, shown.rev), compared, chosen: None }
 }

@@ -25,4 +25,4 @@ pub(crate) use polygons::{
     Exact, Ratio, check_corners, convex_part, exact, hull, place, polygon, turn, winding,
 };
 pub(crate) use random::Random;
-pub(crate) use triangles::{areas, covered, plane_code, plane_value, triangle};
+pub(crate) use triangles::{Oracle, areas, covered, plane_code, plane_value, triangle};

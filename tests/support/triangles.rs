@@ -42,27 +42,38 @@ pub(crate) fn triangle(random: &mut Random) -> Triangle {
     vertices
 }
 
-/// The oracle: an edge function in integers of any size at every centre. The top-left rule is
-/// that of a point moved right by an infinitesimal step and down by its square.
-pub(crate) fn covered(vertices: Triangle, settings: &Settings) -> Vec<Span> {
-    let [a, b, c] = vertices.map(|vertex| vertex.map(Dyadic::from));
-    let lines = [[&a, &b], [&b, &c], [&c, &a]].map(|[[ax, ay], [bx, by]]| {
-        let (dx, dy) = (ay - by, bx - ax);
-        let at_origin = -(&dx * ax + &dy * ay);
-        [dx, dy, at_origin]
-    });
-    let area = &lines[0][0] * &c[0] + &lines[0][1] * &c[1] + &lines[0][2];
-    let (down, turned) = (if settings.y_axis == YAxis::Down { 1 } else { -1 }, area.sign());
-    if turned.is_zero() {
-        return Vec::new();
+/// The oracle: edge functions in integers of any size. The top-left rule is that of a point moved right by
+/// an infinitesimal step and down by its square.
+pub(crate) struct Oracle {
+    /// What each edge function grows by along x and y, and its value at the origin.
+    lines: [[Dyadic; 3]; 3],
+    turned: Sign,
+    settings: Settings,
+}
+
+impl Oracle {
+    /// `None` if there is no area.
+    pub(crate) fn new(vertices: Triangle, settings: &Settings) -> Option<Self> {
+        let [a, b, c] = vertices.map(|vertex| vertex.map(Dyadic::from));
+        let lines = [[&a, &b], [&b, &c], [&c, &a]].map(|[[ax, ay], [bx, by]]| {
+            let (dx, dy) = (ay - by, bx - ax);
+            let at_origin = -(&dx * ax + &dy * ay);
+            [dx, dy, at_origin]
+        });
+        let area = &lines[0][0] * &c[0] + &lines[0][1] * &c[1] + &lines[0][2];
+        let turned = area.sign();
+        (!turned.is_zero()).then_some(Self { lines, turned, settings: *settings })
     }
-    let drawn = |x: u32, y: u32| {
-        let [x, y] = [x, y].map(|n| Dyadic::from(n as f32 + 0.5));
-        lines.iter().all(|[dx, dy, at_origin]| {
-            let value = (dx * &x + dy * &y + at_origin).sign() * turned;
-            let right = dx.sign() * turned;
-            let below = dy.sign() * turned * Sign::of(down.into());
-            match settings.fill_rule {
+
+    /// Whether a point is covered.
+    pub(crate) fn covers(&self, at: [f32; 2]) -> bool {
+        let down = if self.settings.y_axis == YAxis::Down { 1 } else { -1 };
+        let [x, y] = at.map(Dyadic::from);
+        self.lines.iter().all(|[dx, dy, at_origin]| {
+            let value = (dx * &x + dy * &y + at_origin).sign() * self.turned;
+            let right = dx.sign() * self.turned;
+            let below = dy.sign() * self.turned * Sign::of(down.into());
+            match self.settings.fill_rule {
                 FillRule::TopLeft => {
                     [value, right, below].into_iter().find(|sign| !sign.is_zero()) == Some(Sign::Positive)
                 }
@@ -71,7 +82,13 @@ pub(crate) fn covered(vertices: Triangle, settings: &Settings) -> Vec<Span> {
                 FillRule::Strict => value.is_positive(),
             }
         })
-    };
+    }
+}
+
+/// The pixels that the oracle covers at their centres.
+pub(crate) fn covered(vertices: Triangle, settings: &Settings) -> Vec<Span> {
+    let Some(oracle) = Oracle::new(vertices, settings) else { return Vec::new() };
+    let drawn = |x: u32, y: u32| oracle.covers([x, y].map(|n| n as f32 + 0.5));
     let [width, height] = settings.size;
     let rows = (0..height).filter_map(|y| {
         let xs: Vec<u32> = (0..width).filter(|&x| drawn(x, y)).collect();

@@ -42,6 +42,12 @@ glossary-y-last = The last row whose centre line the edge crosses.
 glossary-begin = The first pixel of the span.
 glossary-edge-table-active = Active edges: those that the centre line of the row crosses, from left to right.
 glossary-edge-table-table = Edge table: every edge under the first row that it crosses.
+glossary-d = d, the decision variable: above 0 if the line passes beyond the point midway between the two next pixels.
+glossary-x-inc = What one step adds to x.
+glossary-y-inc = What one step adds to y.
+glossary-major = The length along the axis on which the line is longer, in pixels: each step goes one pixel along it.
+glossary-minor = The length along the other axis.
+glossary-c = Where the line crosses the centre line of the column or row.
 glossary-fill-rule = Tie rule: who draws a pixel whose centre lies exactly on an edge. With top-left, two neighbours draw it once and leave no hole.
 
 glossary-depth = Depth: how far away, from 0 at the near plane to 1 at the far plane, as the depth buffer sees it.

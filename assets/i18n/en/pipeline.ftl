@@ -19,10 +19,13 @@ pipeline-unit-vertices = vtx
 pipeline-unit-spans = spans
 pipeline-unit-rows = rows
 pipeline-unit-fragments = frag
+pipeline-unit-values = values
+pipeline-unit-shades = shades
 pipeline-unit-pixels = px
 
 pipeline-pixel-written = passed
 pipeline-pixel-overwritten = passed, drawn over later
+pipeline-pixel-blended-over = passed, blended over later
 pipeline-pixel-object-outside = its object is outside: { $plane } plane
 pipeline-pixel-outside = outside the frustum: { $plane } plane
 pipeline-pixel-back-facing = culled: back-facing
@@ -39,7 +42,13 @@ pipeline-pixel-depth = depth test failed
 pipeline-pixel-would-cover = Its edges would contain this centre.
 pipeline-pixel-edge-value = { $edge }(centre) = { $value } < 0
 pipeline-pixel-on-edge = { $edge }(centre) = 0
-pipeline-pixel-stencil-values = { $reference } { $compare } { $stored } does not hold
+pipeline-pixel-determinant = det (x, y, w) = { $value }
+pipeline-pixel-stencil-values = stencil: { $reference } & { $mask } { $compare } { $stored } & { $mask }
+pipeline-pixel-stencil-compare = stencil: { $compare }
+pipeline-pixel-stencil-stored = { $operation }: { $before } → { $after } (mask { $mask })
+pipeline-pixel-depth-unwritten = { $new } { $compare } { $stored }, not stored: no depth write
+pipeline-pixel-blended = blended: { $before } → { $after }
+pipeline-pixel-replaced = colour: { $before } → { $after }
 pipeline-pixel-depth-stored = { $new } { $compare } { $stored }, stored
 pipeline-pixel-depth-kept = { $new } { $compare } { $stored }, kept
 pipeline-pixel-codes = { $new } { $compare } { $stored }

@@ -36,7 +36,7 @@ error-scene-far-before-near = { $path }: the far plane must lie beyond the near 
 error-scene-eye-is-target = { $path }: the camera looks at its own place. Move the target or the eye.
 error-scene-up-parallel = { $path }: "up" must not be zero or parallel to the line of sight.
 error-scene-too-many-pixels = { $path }: the image has too many pixels; at most { $limit } are possible.
-error-scene-samples = { $path }: only 1 sample in each pixel is possible so far.
+error-scene-samples = { $path }: a pixel has 1, 2, 4 or 8 samples.
 error-scene-not-triples = { $path }: without indices every three vertices are a triangle, but { $found } is no multiple of 3.
 error-scene-no-such-vertex = { $path }: there is no vertex { $index }; the { $vertices } vertices count from 0.
 error-scene-not-one-each = { $path }: there must be one for each of the { $vertices } vertices, not { $found }.
@@ -450,6 +450,116 @@ preset-fill-crossing = Below the crossing the two edges have changed places. The
 preset-fill-sliver-name = Sliver: spans without a pixel
 preset-fill-sliver = The polygon crosses eight rows, but it is so thin that most rows have no pixel centre between its edges.
 
+preset-vertices-fixed-4-name = Split: four bits below the pixel
+preset-vertices-fixed-4 = Corners snapped to sixteenths of a pixel move the edges across two centres. With eight bits no pixel changes here.
+
+preset-vertices-whole-name = Split: corners cast to whole numbers
+preset-vertices-whole = The cast drops the fractions, so the triangle jumps up and to the left. Twelve of its pixels are wrong.
+
+preset-edge-epsilon-name = Split: an epsilon in the edge test
+preset-edge-epsilon = Who calls nearly zero zero lets the tie rule decide beside an edge. The longer the edge, the nearer is nearly.
+
+preset-edge-epsilon-tiny-name = Split: a tiny triangle, a tiny epsilon
+preset-edge-epsilon-tiny = The triangle is a thousandth of a pixel wide and holds a centre. All its edge functions are below 0.00001: the pixel is lost.
+
+preset-slopes-added-up-name = Split: slopes added up
+preset-slopes-added-up = In every tenth row the left edge meets a centre. One tenth has no exact binary form: after 400 additions such ties are lost.
+
+preset-homogeneous-in-front-name = All corners in front
+preset-homogeneous-in-front = Every w is positive. The pixels are those of the projected triangle, and nothing was divided to test them.
+
+preset-homogeneous-one-behind-name = One corner behind the eye
+preset-homogeneous-one-behind = V2 is behind the eye; divided by w it would come out at the wrong side. The triangle runs off the screen instead.
+
+preset-homogeneous-two-behind-name = Two corners behind the eye
+preset-homogeneous-two-behind = Only V0 is in front. What is seen is the wedge at V0, up to the border of the image.
+
+preset-homogeneous-w-zero-name = A corner with w = 0
+preset-homogeneous-w-zero = V2 is a direction: the two edges to it run in parallel and never meet. A division would have no result.
+
+preset-homogeneous-divide-first-name = Split: division first
+preset-homogeneous-divide-first = Right, x and y are divided by w before anything else. The corner behind the eye becomes one in front: a wrong triangle.
+
+preset-homogeneous-near-plane-name = The near plane cuts
+preset-homogeneous-near-plane = The near plane is a fourth edge. It cuts off what is nearer than w = 0.4, without a new corner.
+
+preset-homogeneous-edge-on-name = Seen edge-on
+preset-homogeneous-edge-on = The eye lies in the plane of the triangle. The determinant is 0, so nothing is drawn.
+preset-steps-gentle-name = A gentle line
+preset-steps-gentle = Eleven columns, so ten steps. y grows by the same amount at each and is rounded for each pixel.
+
+preset-steps-steep-name = A steep line
+preset-steps-steep = The longer way is along y: each step goes down one row, and x is the one that is rounded.
+
+preset-steps-backwards-name = Backwards
+preset-steps-backwards = From right to left the steps are negative. In exact arithmetic the same pixels are drawn from either end.
+
+preset-steps-f32-tie-name = A tie that rounding breaks
+preset-steps-f32-tie = After three steps y is exactly 1.5. In f32 three times 0.16666667 ends below that, and another pixel is drawn.
+
+preset-steps-f64-tie-name = The same in f64
+preset-steps-f64-tie = More digits break fewer ties, but they still break some. This line differs in f64 as well.
+
+preset-steps-one-pixel-name = Both ends in one pixel
+preset-steps-one-pixel = No step is needed, and no division: it would be 0 / 0. The pixel is drawn.
+
+preset-octant-gentle-name = A gentle line
+preset-octant-gentle = d says at each step which of two pixels is nearer. It is a whole number and changes by additions alone.
+
+preset-octant-steep-name = A steep line
+preset-octant-steep = The roles of x and y change: each step goes down one row, and d says when to go aside by one column.
+
+preset-octant-backwards-name = Left and up
+preset-octant-backwards = In all eight directions the same text works: only the signs of the two steps change.
+
+preset-octant-tie-name = d = 0: two pixels equally near
+preset-octant-tie = Every second step passes exactly between two pixels. The lower one is taken, from either end.
+
+preset-octant-diagonal-name = The diagonal
+preset-octant-diagonal = d is above 0 at every step, so each goes aside: the pixels touch in their corners only.
+
+preset-octant-rounded-ends-name = Ends between centres
+preset-octant-rounded-ends = The ends are moved to pixel centres, so another line is drawn than was given: the dashed one is the given one.
+
+preset-two-sides-line-name = Rounded ends and unrounded
+preset-two-sides-line = Bresenham moves both ends and draws both. By the diamond-exit rule nothing moves, and the last pixel is not drawn.
+
+preset-diamond-unrounded-name = Unrounded ends
+preset-diamond-unrounded = The pixel where the line starts is drawn, because the line leaves its diamond. The one where it ends is not.
+
+preset-diamond-starts-beyond-name = Starts between diamonds
+preset-diamond-starts-beyond = The start is in pixel (2, 2), but right of its diamond: the line never leaves it, so the pixel is not drawn.
+
+preset-diamond-ends-before-name = Ends before a diamond
+preset-diamond-ends-before = The line reaches the last column but ends before the diamond there. The pixel before is the last one.
+
+preset-diamond-steep-name = A steep line
+preset-diamond-steep = A steep line is walked row by row, and the right corner of a diamond belongs to it.
+
+preset-diamond-along-edges-name = Along the edges of diamonds
+preset-diamond-along-edges = The line runs along lower left edges. They belong to the diamonds, the upper right ones do not: one pixel a column.
+
+preset-diamond-inside-name = Inside one diamond
+preset-diamond-inside = The line starts and ends in one diamond, so it leaves none: a short line can draw nothing.
+
+preset-square-one-name = Size 1
+preset-square-one = A point of size 1 draws one pixel, wherever it lies: the square is as wide as the centres are apart.
+
+preset-square-between-name = Size 1, on a corner of pixels
+preset-square-between = Four pixel centres are the corners of the square. The upper left one is in, the others are out.
+
+preset-square-three-name = Size 3
+preset-square-three = Three columns and three rows, or now and then a tie that changes nothing: it is still three.
+
+preset-square-half-name = Smaller than a pixel
+preset-square-half = A point of size 0.5 draws a pixel only if it lies near its centre. Moved from there, it vanishes.
+
+preset-square-two-on-centre-name = Size 2, on a centre
+preset-square-two-on-centre = All sides run through centres: two columns and two rows, those at the left and the upper side.
+
+preset-square-off-image-name = Over the border of the image
+preset-square-off-image = Only the pixels of the image are drawn, though the place of the point lies outside.
+
 preset-depth-two-triangles-name = B over A: smaller depth wins
 preset-depth-two-triangles = A and B overlap, and neither is nearer everywhere. Each pixel compares two codes.
 
@@ -464,6 +574,36 @@ preset-depth-behind = B lies behind A. Where they overlap every test fails, and 
 
 preset-depth-order-name = The same, drawn back to front
 preset-depth-order = These are the triangles of the example before, in the other order. The image is the same, but more is written.
+
+preset-depth-less-or-equal-name = Equal depths: less, less-equal
+preset-depth-less-or-equal = Left equal codes fail and the first triangle stays. Right they pass and the last one wins.
+
+preset-depth-reversed-codes-name = Reversed
+preset-depth-reversed-codes = The same two triangles with near at 1: the buffer is cleared to 0 and the greater depth wins. The image is the same.
+
+preset-depth-not-written-name = Test without write
+preset-depth-not-written = Fragments that pass store no depth, so B is drawn over A although it lies behind.
+
+preset-depth-equal-codes-name = Equal codes
+preset-depth-equal-codes = B lies nearer than A everywhere, by half a step. Diamonds mark where rounding made their codes equal.
+
+preset-precision-16-bits-name = 16 bits, 0.1 to 1000
+preset-precision-16-bits = Most codes lie near the eye. Eight units away a centimetre is less than one code.
+
+preset-precision-24-bits-name = 24 bits, 0.1 to 1000
+preset-precision-24-bits = With 256 times as many codes planes merge 16 times farther away: the step grows with the square of the distance.
+
+preset-precision-near-plane-name = Near plane moved to 1
+preset-precision-near-plane = The near plane moved from 0.1 to 1. That gains as much as three more bits; moving the far plane gains next to nothing.
+
+preset-precision-floats-name = 32-bit floats
+preset-precision-floats = Floats are finest near 0, and perspective puts nearly everything near 1. So they gain next to nothing over 24 bits.
+
+preset-precision-reversed-floats-name = Reversed floats
+preset-precision-reversed-floats = Right the far plane has depth 0, where floats are finest. That cancels the perspective: the step stays a fixed part of the distance.
+
+preset-precision-orthographic-name = Orthographic
+preset-precision-orthographic = Without perspective depth is linear in distance: every code of a unorm format is equally long.
 
 preset-blend-over-name = Over
 preset-blend-over = Two half transparent layers over white. Each takes half of what is there and adds half of itself.
@@ -643,3 +783,84 @@ preset-tree-all-inside = The root lies inside all planes: six tests for all obje
 
 preset-two-sides-mistake-name = Split: a mistake
 preset-two-sides-mistake = Left all four sides cut; right only the left and the bottom one, as beginners often leave it. What sticks out is outlined.
+
+preset-weigh-inside-name = A point inside
+preset-weigh-inside = The farther vertex V1 has the larger w, so it counts for less than its area says. Perspective: one division at the point.
+
+preset-weigh-centroid-name = The centroid
+preset-weigh-centroid = At the centroid all three areas are equal: each vertex weighs a third, and no binary number is a third.
+
+preset-weigh-on-an-edge-name = On an edge
+preset-weigh-on-an-edge = P lies on the edge V0V1, so V2 weighs 0: what is across an edge does not depend on the third vertex, and neighbours meet.
+
+preset-weigh-outside-name = A point outside
+preset-weigh-outside = One of the areas has the other sign: so an area also tells where P is. There is no value, unless one extrapolates.
+
+preset-weigh-equal-w-name = All w are equal
+preset-weigh-equal-w = A triangle that faces the eye has one w: then w cancels, and affine and perspective are the same.
+
+preset-weigh-sliver-name = A sliver in f32
+preset-weigh-sliver = The area of a sliver is the small difference of two large products: f32 is wrong by many steps where the exact value is rounded once.
+
+preset-weigh-zero-area-name = No area
+preset-weigh-zero-area = All three vertices lie on one line: there is no inside, and nothing can be weighed.
+
+preset-row-depth-name = Depth along a row
+preset-row-depth = Depth is a plane over the screen: one value at the first centre, then one addition a pixel.
+
+preset-row-drift-name = Additions in f32
+preset-row-drift = Each addition rounds, and the next pixel starts from the rounded sum: the error grows along the row. Exact beside it.
+
+preset-row-perspective-name = Two planes and a division
+preset-row-perspective = In perspective the attribute is no plane over the screen, but a/w and 1/w are: two additions and one division a pixel.
+
+preset-row-constant-name = Equal values
+preset-row-constant = All three vertices have the same value: A and B are 0, and nothing is added. In f32 a/w over 1/w may still miss it.
+
+preset-row-sliver-name = A sliver in f32
+preset-row-sliver = C is twice the area. In a sliver it is a small difference of large products, and both slopes are divided by it.
+
+preset-row-empty-name = A row without pixels
+preset-row-empty = The needle passes between two rows of centres: there is nothing to fill in, and nothing is computed.
+
+preset-tilt-floor-name = A floor
+preset-tilt-floor = The near half fills most of the image. Affine gives both halves the same room: the squares bend along the diagonal.
+
+preset-tilt-facing-name = Facing the eye
+preset-tilt-facing = All corners have the same w: it cancels, and both ways give the same bits. No division is needed.
+
+preset-tilt-wall-name = A wall
+preset-tilt-wall = Turned about the upright axis: across the wall u needs the division, up the wall v does not, but for the diagonal.
+
+preset-tilt-steep-name = Nearly edge-on
+preset-tilt-steep = From w = 1.25 to 9: affine is off by several squares, and the two triangles no longer fit together.
+
+preset-tilt-one-square-name = Where the triangles meet
+preset-tilt-one-square = Two squares a side, affine: each triangle is right at its own corners, and the middle lies where the diagonals of the image do not cross.
+
+preset-tilt-depth-is-straight-name = Must z be corrected, too?
+preset-tilt-depth-is-straight = A learner's question. Device z has been divided by w already, so it changes evenly on the screen; dividing once more bends it.
+
+preset-tilt-level-line-name = A level line
+preset-tilt-level-line = Along a line at one distance z, 1/w and d are constant: there affine is right. That is why old games drew floors row by row.
+
+preset-samples-edge-name = An edge in steps
+preset-samples-edge = The slanted edge passes through the samples one by one: pixels along it get 0, 1, 2, 3 or 4 quarters of white.
+
+preset-samples-sliver-name = A sliver between centres
+preset-samples-sliver = No centre lies in the sliver: with one sample it is not there at all, and with four it is a grey line.
+
+preset-samples-centroid-name = Shaded outside the triangle
+preset-samples-centroid = The shade grows from 0 to 1 inside. At a centre outside it is extrapolated: too dark or too light pixels along the edges. Centroid shades inside.
+
+preset-samples-shared-edge-name = A shared edge
+preset-samples-shared-edge = Both triangles are white and share an edge: each sample belongs to exactly one, so the seam is 255 throughout.
+
+preset-samples-silhouette-name = A silhouette with 8
+preset-samples-silhouette = Eight samples give nine levels of grey; no two stand in one row or column, so flat and steep edges are equally smooth. One sample beside it.
+
+preset-samples-per-sample-name = Every sample shaded
+preset-samples-per-sample = Inside the triangle the shade changes faster than pixels do: one shade a pixel is one point of it, per sample is a mean, at four times the cost.
+
+preset-samples-on-an-edge-name = Samples on an edge
+preset-samples-on-an-edge = The left edge passes exactly through samples: the tie rule decides for samples as it does for centres.

@@ -43,8 +43,33 @@ column-traversal-centres = centres
 column-traversal-outside = outside
 column-traversal-inside = inside
 column-traversal-split = split
+traversal-ways = All ways over this triangle
+column-traversal-visited = visited
+column-traversal-tested = tested
+column-traversal-drawn = drawn
+column-traversal-wasted = wasted
+row-traversal-aabb = bounding box
+row-traversal-backtracking = backtracking
+row-traversal-zigzag = zigzag
+row-traversal-tiled = tiles
 row-traversal-box = in the box
 row-traversal-tested = tested
 row-traversal-drawn = drawn
 row-traversal-wasted = wasted
 row-traversal-skipped = skipped
+
+# Why one pixel is drawn or not. $kind is one of the four words below, $rule the name of the tie rule.
+
+pixel-in = The centre lies inside all three edges: **drawn**.
+pixel-out = **{ $edge }** keeps it **out**: its edge function is { $value } there.
+pixel-tie-drawn = It lies on **{ $edge }**, a { $kind } edge: **drawn** by the tie rule { $rule }.
+pixel-tie-lost = It lies on **{ $edge }**, a { $kind } edge: **not drawn** by the tie rule { $rule }.
+pixel-outside-box = The centre lies outside the box around the corners: **not looked at**.
+pixel-zero-area = The triangle has no area: it covers no pixel.
+pixel-wrongly-drawn = Drawn, and that is wrong: exactly, from the corners as given, it is not covered.
+pixel-wrongly-lost = Not drawn, and that is wrong: exactly, from the corners as given, it is covered.
+word-edge-left = left
+word-edge-right = right
+word-edge-top = top
+word-edge-bottom = bottom
+column-edge-kind = edge

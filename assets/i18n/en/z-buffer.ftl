@@ -29,6 +29,7 @@ z-buffer-counts = Fragments
 z-buffer-marker-triangle = { $object }
 z-buffer-key-passed = { $object } passed
 z-buffer-key-failed = { $object } failed
+z-buffer-key-equal = equal codes
 z-buffer-key-object = { $object }
 z-buffer-key-others = the others
 row-before = before

@@ -57,6 +57,6 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
 pub(super) fn lab(request: &Request) -> Result<Scene, Refusal> {
     let Settings { size, fill_rule, y_axis, .. } = steppable(request)?;
     let depth_format = format(request)?;
-    let input = labs::ZBuffer { triangles: Some(vec![request.vertices()?]) };
+    let input = labs::ZBuffer::of(vec![request.vertices()?]);
     Ok(Scene { fill_rule, y_axis, depth_format, ..lab_scene(size, input) })
 }

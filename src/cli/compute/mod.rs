@@ -27,7 +27,9 @@ mod clip_polygon;
 mod clip_triangle;
 mod coverage;
 mod depth;
+mod fill_polygon;
 mod interpolate;
+mod line;
 mod lines;
 mod refusal;
 mod render;
@@ -58,18 +60,24 @@ enum Op {
     ClipTriangle,
     Coverage,
     Depth,
+    FillPolygon,
     Interpolate,
+    Line,
+    Point,
     Render,
 }
 
 impl Op {
-    const ALL: [Self; 7] = [
+    const ALL: [Self; 10] = [
         Self::ClipLine,
         Self::ClipPolygon,
         Self::ClipTriangle,
         Self::Coverage,
         Self::Depth,
+        Self::FillPolygon,
         Self::Interpolate,
+        Self::Line,
+        Self::Point,
         Self::Render,
     ];
 
@@ -80,7 +88,10 @@ impl Op {
             Self::ClipTriangle => "clip_triangle",
             Self::Coverage => "coverage",
             Self::Depth => "depth",
+            Self::FillPolygon => "fill_polygon",
             Self::Interpolate => "interpolate",
+            Self::Line => "line",
+            Self::Point => "point",
             Self::Render => "render",
         }
     }
@@ -137,7 +148,9 @@ enum Answer {
     ClipTriangle(clip_triangle::Answer),
     Coverage(coverage::Answer),
     Depth(depth::Answer),
+    FillPolygon(fill_polygon::Answer),
     Interpolate(interpolate::Answer),
+    Line(line::Answer),
     Render(render::Answer),
 }
 
@@ -148,6 +161,9 @@ fn dispatch(request: &Request) -> Result<Answer, Refusal> {
         Op::ClipTriangle => clip_triangle::answer(request).map(Answer::ClipTriangle),
         Op::Coverage => coverage::answer(request).map(Answer::Coverage),
         Op::Depth => depth::answer(request).map(Answer::Depth),
+        Op::FillPolygon => fill_polygon::answer(request).map(Answer::FillPolygon),
+        Op::Line => line::answer(request).map(Answer::Line),
+        Op::Point => line::answer_point(request).map(Answer::FillPolygon),
         Op::Interpolate => interpolate::answer(request).map(Answer::Interpolate),
         Op::Render => render::answer(request).map(Answer::Render),
     }
@@ -160,6 +176,9 @@ pub(crate) fn lab(request: &Request) -> Result<Scene, Refusal> {
         Op::ClipPolygon => clip_polygon::lab(request),
         Op::Coverage => coverage::lab(request),
         Op::Depth => depth::lab(request),
+        Op::FillPolygon => fill_polygon::lab(request),
+        Op::Line => line::lab(request),
+        Op::Point => line::lab_point(request),
         Op::Render => render::scene(request),
         op @ (Op::ClipTriangle | Op::Interpolate) => Err(Refusal::no_lab(op.name())),
     }

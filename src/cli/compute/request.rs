@@ -180,7 +180,7 @@ impl<'a> Field<'a> {
     }
 
     /// A coordinate: rounded to binary32, finite.
-    fn number(&self) -> Result<f32, Refusal> {
+    pub(crate) fn number(&self) -> Result<f32, Refusal> {
         let number = self.value.as_f64().ok_or_else(|| self.bad("error-not-a-number"))? as f32;
         if number.is_finite() {
             return Ok(number);

@@ -29,6 +29,14 @@ impl Choice {
         values.map(|(json, word)| Self { field, heading, json, word })
     }
 
+    /// Whether a file has this value. Numbers count by what they are, not by how they are written.
+    pub(crate) fn is(self, value: &Value) -> bool {
+        match (self.value(), value) {
+            (Value::Number(own), Value::Number(other)) => own.as_f64() == other.as_f64(),
+            (own, other) => own == *other,
+        }
+    }
+
     /// The value as it stands in a file.
     pub(crate) fn value(self) -> Value {
         // Written in this program, as JSON.

@@ -5,6 +5,7 @@
 
 mod buffer;
 mod plane;
+pub mod precision;
 mod row;
 pub mod z_buffer;
 
@@ -75,6 +76,17 @@ impl CompareFunction {
             Self::NotEqual => Self::Equal,
             Self::GreaterEqual => Self::Less,
             Self::Always => Self::Never,
+        }
+    }
+
+    /// The function that gives the same answer for values that are turned around, as reversed depths are.
+    pub fn mirrored(self) -> Self {
+        match self {
+            Self::Less => Self::Greater,
+            Self::LessEqual => Self::GreaterEqual,
+            Self::Greater => Self::Less,
+            Self::GreaterEqual => Self::LessEqual,
+            Self::Never | Self::Equal | Self::NotEqual | Self::Always => self,
         }
     }
 

@@ -50,7 +50,11 @@ impl DepthPlane {
     /// where rounded coverage strays outside the triangle.
     #[inline]
     pub fn depth(&self, [x, y]: [u32; 2], tally: &mut Tally) -> f32 {
-        let point = centre(x, y);
+        self.depth_at(centre(x, y), tally)
+    }
+
+    #[inline]
+    fn depth_at(&self, point: [f32; 2], tally: &mut Tally) -> f32 {
         let rounded = match &self.form {
             Form::Constant(z) => return *z,
             Form::Exact(plane) => {
@@ -67,12 +71,17 @@ impl DepthPlane {
     /// format, clamped to 0..1 if it is a unorm format.
     #[inline]
     pub fn code(&self, [x, y]: [u32; 2], format: DepthFormat, tally: &mut Tally) -> u32 {
+        self.code_at(centre(x, y), format, tally)
+    }
+
+    /// [`code`](Self::code) at any point, such as a sample of a pixel.
+    #[inline]
+    pub fn code_at(&self, point: [f32; 2], format: DepthFormat, tally: &mut Tally) -> u32 {
         match (&self.form, format.max_code()) {
             (Form::Exact(plane), Some(max)) => {
-                let point = centre(x, y);
                 rounded_code(plane.at(point, self.range), max, || plane.exact(point, self.range), tally)
             }
-            _ => format.encode(self.depth([x, y], tally)),
+            _ => format.encode(self.depth_at(point, tally)),
         }
     }
 }

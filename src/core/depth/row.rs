@@ -100,7 +100,7 @@ impl DepthRow<'_> {
                 // Certain if neither neighbouring code is within the error; NaN is never.
                 let rest = scaled - f64::from(code);
                 if rest > rows.code_error && rest < 1.0 - rows.code_error {
-                    return code;
+                    return code.min(max);
                 }
             }
         }

@@ -1,6 +1,10 @@
 //! The pixels of an image as marks: what each holds, and the verdicts of what is being drawn.
 
-use super::{MOST_PIXELS, Mark, Role, View};
+use super::{Mark, Role, View};
+
+/// More pixels than these stand in [`Mark::Run`]s: a mark each would take longer than a frame, and
+/// they are too small to show a value.
+pub const MOST_PIXELS: usize = 1 << 15;
 
 /// Images up to this many pixels show empty pixels with their clear value.
 const SHOWS_CLEAR: usize = 1024;
@@ -21,8 +25,8 @@ pub(crate) trait Cells {
         self.object(pixel).is_some()
     }
 
-    /// Pixels that the object being drawn was tested at, and whether it passed.
-    fn verdicts(&self) -> &[([u16; 2], bool)];
+    /// Pixels that the object being drawn was tested at, and what the verdict means.
+    fn verdicts(&self) -> &[([u16; 2], Role)];
 
     /// The row in hand.
     fn row(&self) -> u32;
@@ -37,7 +41,7 @@ pub(crate) trait Cells {
             }
             // Of the object's verdicts only those of the row in hand.
             let here = self.verdicts().iter().filter(|([_, y], _)| u32::from(*y) == self.row());
-            out.extend(here.map(|(pixel, passed)| self.verdict(*pixel, *passed)));
+            out.extend(here.map(|([x, y], role)| self.cell([*x, *y].map(u32::from), *role)));
             return;
         }
         let shows_clear = width as usize * height as usize <= SHOWS_CLEAR;
@@ -49,12 +53,7 @@ pub(crate) trait Cells {
                 }
             }
         }
-        out.extend(self.verdicts().iter().map(|(pixel, passed)| self.verdict(*pixel, *passed)));
-    }
-
-    /// A pixel with the verdict on the fragment that came to it.
-    fn verdict(&self, pixel: [u16; 2], passed: bool) -> Mark {
-        self.cell(pixel.map(u32::from), if passed { Role::Accepted } else { Role::Rejected })
+        out.extend(self.verdicts().iter().map(|(pixel, role)| self.cell(pixel.map(u32::from), *role)));
     }
 
     /// The objects that a row shows.

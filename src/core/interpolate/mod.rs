@@ -4,10 +4,13 @@
 //! value depends on the triangle and the point alone, three equal values come back bit for bit,
 //! and nothing overshoots the vertices' range.
 
+pub mod area_ratios;
 pub(crate) mod barycentric;
 mod perspective;
-mod taught;
+pub mod perspective_correction;
+pub mod plane_equation;
 
+pub use area_ratios::Subject;
 pub use barycentric::{Barycentric, Weights};
 pub use perspective::Interpolator;
 
@@ -47,7 +50,8 @@ impl Mode {
 }
 
 /// Why there is no value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum InterpolateError {
     /// The triangle has no area, hence no inside.
     #[error("error-interpolate-zero-area")]
@@ -79,8 +83,7 @@ impl InterpolateError {
 ///
 /// Vertices are (x, y, w): x and y in pixels, w of clip space, any finite numbers but w = 0 in
 /// perspective; `at` is in pixels, too. Either winding. The result is correctly rounded; it may
-/// be infinite only if w has both signs. `F32` and `F64` compute area ratios as taught; fixed
-/// point snaps x and y and is exact then. Cost: about 50 ns, a few us in the exact tail.
+/// be infinite only if w has both signs: [`area_ratios::interpolate`], which says the rest.
 pub fn interpolate(
     mode: Mode,
     vertices: [[f32; 3]; 3],
@@ -89,30 +92,7 @@ pub fn interpolate(
     arithmetic: Arithmetic,
     tally: &mut Tally,
 ) -> Result<f32, InterpolateError> {
-    let w = vertices.map(|[_, _, w]| w);
-    let points = vertices.map(|[x, y, _]| [x, y].map(|coordinate| arithmetic.snap(coordinate)));
-    let Some(mut triangle) = Barycentric::new(points, tally) else { return Err(InterpolateError::ZeroArea) };
-    if !triangle.contains(at, tally) {
-        return Err(InterpolateError::Outside);
-    }
-    if mode == Mode::Perspective {
-        if w.contains(&0.0) {
-            return Err(InterpolateError::ZeroW);
-        }
-        triangle = triangle.perspective(w);
-        if triangle.at(at, tally).sum_sign(tally).is_zero() {
-            return Err(InterpolateError::Infinite);
-        }
-    }
-    let w = (mode == Mode::Perspective).then_some(w);
-    Ok(match arithmetic {
-        Arithmetic::F32 => taught::interpolate::<f32>(points, w, attribute, at),
-        Arithmetic::F64 => taught::interpolate::<f64>(points, w, attribute, at),
-        _ => match points.iter().position(|point| *point == at) {
-            Some(vertex) => attribute[vertex],
-            None => triangle.at(at, tally).value(attribute, tally),
-        },
-    })
+    area_ratios::interpolate(mode, &Subject { vertices, attribute, at }, arithmetic, tally)
 }
 
 /// The code of a value in `0..=max`: `floor(max value + 1/2)`, exactly; values outside 0..1 are

@@ -21,7 +21,13 @@ impl Interpolator {
     /// The weights at the centre of a pixel: compute them once for all attributes.
     #[inline]
     pub fn at(&self, pixel: [u32; 2], tally: &mut Tally) -> Weights<'_> {
-        self.0.at(centre(pixel[0], pixel[1]), tally)
+        self.at_point(centre(pixel[0], pixel[1]), tally)
+    }
+
+    /// The weights at any point, in pixels, such as a sample of a pixel.
+    #[inline]
+    pub fn at_point(&self, point: [f32; 2], tally: &mut Tally) -> Weights<'_> {
+        self.0.at(point, tally)
     }
 
     /// An attribute at the centre of a pixel, correctly rounded.

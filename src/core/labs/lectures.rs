@@ -78,7 +78,15 @@ const TOPICS: &[(&str, &[Topic])] = &[
     ("aabb", &[at(RUSSIAN, "AABB-алгоритм"), at(SLOVENE, "Rasterizacija")]),
     ("backtracking", &[at(RUSSIAN, "Backtracking-алгоритм")]),
     ("zigzag", &[at(RUSSIAN, "Zigzag-алгоритм")]),
+    ("homogeneous", &[at(RUSSIAN, "Алгоритм растеризации в однородных координатах")]),
     ("tiled", &[at(SLOVENE, "Rasterizacija")]),
+    ("msaa", &[at(SLOVENE, "Mehčanje robov")]),
+    ("area-ratios", &[at(RUSSIAN, "Интерполяция атрибутов")]),
+    ("plane-equation", &[at(TUZLA, "Z interpolacija"), at(ESTONIAN, "Sügavuspuhver")]),
+    (
+        "perspective-correction",
+        &[at(RUSSIAN, "Интерполяция атрибутов"), at(TUZLA, "Interpolacija svojstava")],
+    ),
     ("edge-table", &[at(ESTONIAN, "Ridahaaval töötlemine")]),
     ("stencil", &[at(SLOVENE, "Test šablone")]),
     (
@@ -90,6 +98,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
             at(SLOVENE, "Test globine"),
         ],
     ),
+    ("depth-precision", &[at(TUZLA, "Z-buffer"), at(SLOVENE, "Test globine")]),
     ("blend", &[at(SLOVENE, "Mešanje")]),
 ];
 

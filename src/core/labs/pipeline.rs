@@ -38,6 +38,9 @@ impl Family for Pipeline {
 
     fn play(&self, scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
         refuse_large(scene)?;
+        if scene.samples != 1 {
+            return Err(Message::new("error-steps-one-sample"));
+        }
         let plain = |draw: &Draw| draw.stencil.is_none() && draw.depth == scene.draws[0].depth;
         if scene.draws.iter().all(plain) {
             play_depth_of(scene, budget)

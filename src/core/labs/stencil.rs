@@ -2,13 +2,14 @@
 
 use super::{Family, refuse_large, scan_settings};
 use crate::{
+    blend::{BlendComponent, BlendFactor, BlendOperation},
     compare::{Choice, Setting},
     depth::{CompareFunction, DepthState},
     message::Message,
     pipeline::{ScreenTriangle, draw_name, enlarged_triangles, screen_triangles},
     raster,
     replay::{Budget, Playback},
-    scene::{Checked, Scene, each_finite},
+    scene::{self, Checked, Scene, each_finite},
     stencil::{
         Enlarge, StencilOperation, StencilState, Way,
         stencil_test::{self, Draw},
@@ -129,18 +130,27 @@ pub(super) fn play_stencil_of(scene: &Scene, budget: Budget) -> Box<dyn Playback
 /// The scene's draws with their own states.
 fn draws_of(scene: &Scene) -> Vec<Draw> {
     let triangles = screen_triangles(scene);
-    let draw = |(index, own): (usize, &crate::scene::Draw)| {
+    let draw = |(index, own): (usize, &scene::Draw)| {
         let name = draw_name((index, own));
-        Draw { name, stencil: own.stencil, ..bare(&triangles, index, own.depth) }
+        Draw { name, stencil: own.stencil, visible: is_seen(own), ..bare(&triangles, index, own.depth) }
     };
     scene.draws.iter().enumerate().map(draw).collect()
+}
+
+/// Whether a draw changes colours: one that keeps what is there and adds nothing does not.
+fn is_seen(draw: &scene::Draw) -> bool {
+    let keeps = |color: BlendComponent| {
+        let factors = (color.src_factor, color.dst_factor);
+        factors == (BlendFactor::Zero, BlendFactor::One) && color.operation == BlendOperation::Add
+    };
+    !draw.blend.is_some_and(|blend| keeps(blend.color))
 }
 
 /// The triangles of one draw, without a stencil test.
 fn bare(triangles: &[ScreenTriangle], index: usize, depth: DepthState) -> Draw {
     let own = triangles.iter().filter(|triangle| triangle.draw as usize == index);
     let triangles = own.map(|triangle| triangle.vertices).collect();
-    Draw { name: String::new(), triangles, enlarged: None, depth, stencil: None }
+    Draw { name: String::new(), triangles, enlarged: None, depth, stencil: None, visible: true }
 }
 
 /// Every object of the scene with an outline: the object writes a value, and the same object enlarged is
@@ -169,6 +179,7 @@ fn outlined(scene: &Scene, enlarge: Enlarge, order: Order) -> Vec<Draw> {
             enlarged: Some((enlarge, before.triangles)),
             depth: DepthState { test: false, write: false, ..DepthState::default() },
             stencil: Some(stencil),
+            visible: true,
         }
     };
     let all = 0..scene.draws.len();

@@ -64,28 +64,18 @@ impl Dyadic {
     /// The nearest f64, ties to even; overflows to infinity, zero is 0.0. For display.
     #[must_use]
     pub fn to_f64_nearest(&self) -> f64 {
-        let (significand, exponent) = nearest_ratio(self, &Self::one(), 53, -1074);
-        let magnitude = if exponent > 971 { f64::INFINITY } else { significand as f64 * pow2(exponent) };
-        if self.sign().is_negative() { 0.0 - magnitude } else { magnitude }
+        nearest_f64(self, &Self::one())
     }
 
     /// Rounds `num / den` to the nearest f32, ties to even.
     ///
     /// `den` is not zero (the result would be NaN). Subnormal results are rounded once like all others.
-    /// From 2^128 - 2^103 on, half a step beyond `f32::MAX`, the result is infinite. Zero is always 0.0,
-    /// also below zero: -0.0 is never returned.
+    /// From 2^128 - 2^103 on, half a step beyond `f32::MAX`, the result is infinite. -0.0 is never returned.
     ///
     /// *Source:* IEEE 754-2019, sections 4.3.1 and 7.4; deviation: the sign of zero.
     #[must_use]
     pub fn ratio_to_f32(num: &Self, den: &Self) -> f32 {
-        if den.is_zero() {
-            return f32::NAN;
-        }
-        let (significand, exponent) = nearest_ratio(num, den, 24, -149);
-        // At most 24 bits times a power of two: exact in f64, and in f32 unless it overflows.
-        let magnitude =
-            if exponent > 104 { f32::INFINITY } else { (significand as f64 * pow2(exponent)) as f32 };
-        if (num.sign() * den.sign()).is_negative() { 0.0 - magnitude } else { magnitude }
+        rounded(num, den, 24, -149, 104) as f32
     }
 
     /// Rounds `num / den` to an unsigned normalized code: `floor(max num / den + 1/2)` within `0..=max`.
@@ -112,6 +102,21 @@ impl Dyadic {
 fn aligned(a: &Dyadic, b: &Dyadic) -> (BigInt, BigInt) {
     let exponent = a.exponent.min(b.exponent);
     (&a.mantissa << (a.exponent - exponent), &b.mantissa << (b.exponent - exponent))
+}
+
+/// Rounds `num / den` to the nearest f64 as [`Dyadic::ratio_to_f32`] does to f32.
+pub(super) fn nearest_f64(num: &Dyadic, den: &Dyadic) -> f64 {
+    rounded(num, den, 53, -1074, 971)
+}
+
+/// `num / den` to so many bits, with this least and greatest exponent; NaN if `den` is zero.
+fn rounded(num: &Dyadic, den: &Dyadic, precision: i64, lowest: i64, highest: i64) -> f64 {
+    if den.is_zero() {
+        return f64::NAN;
+    }
+    let (significand, exponent) = nearest_ratio(num, den, precision, lowest);
+    let magnitude = if exponent > highest { f64::INFINITY } else { significand as f64 * pow2(exponent) };
+    if (num.sign() * den.sign()).is_negative() { 0.0 - magnitude } else { magnitude }
 }
 
 /// Rounds `|num / den|` to the nearest `significand * 2^exponent`, ties to even.

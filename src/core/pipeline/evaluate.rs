@@ -3,7 +3,8 @@
 use super::{
     Bounding, Frame, Skip, Skips, Stats,
     draw::{DrawOutputs, DrawRuns, Shared},
-    fragments::{FragmentState, ImageState, ScreenTriangle, Target},
+    fragments::{FragmentState, ImageState, Target},
+    screen_triangle::ScreenTriangle,
 };
 use crate::{
     memo::Memo,

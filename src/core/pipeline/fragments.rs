@@ -4,8 +4,8 @@ use super::{
     Frame, Skip, Skips, Stats,
     draw::DrawOutputs,
     frame::stored_depth,
+    multisample::Multisample,
     shader::{Color, Shader},
-    stages::{Piece, Point},
     stats::Reason,
 };
 use crate::{
@@ -13,7 +13,7 @@ use crate::{
     depth::{DepthBuffer, DepthFormat, DepthRow, DepthRows, DepthState},
     interpolate::unorm,
     math::Tally,
-    raster::{Algorithm, FillRule, Settings, Span, YAxis, cover},
+    raster::{Algorithm, FillRule, Samples, Settings, Span, YAxis, cover, cover_samples, edge::centre},
     scene::{Clear, Draw, Scene, Texture},
     stage::Stage,
     stencil::{StencilOutcome, StencilState},
@@ -47,6 +47,7 @@ pub(super) struct ImageState {
     pub(super) size: [u32; 2],
     pub(super) clear: Clear,
     pub(super) format: DepthFormat,
+    pub(super) samples: Samples,
     pub(super) fill_rule: FillRule,
     pub(super) y_axis: YAxis,
     pub(super) algorithm: Algorithm,
@@ -59,6 +60,8 @@ impl ImageState {
             size: scene.size,
             clear: scene.clear,
             format: scene.depth_format,
+            // A scene is refused unless there is a pattern.
+            samples: Samples::try_from(scene.samples).unwrap_or_default(),
             fill_rule: scene.fill_rule,
             y_axis: scene.y_axis,
             algorithm,
@@ -82,38 +85,41 @@ impl ImageState {
 
     /// Whether another image is cleared to the same values.
     fn clears_like(&self, other: &Self) -> bool {
-        (self.size, self.format, self.clear) == (other.size, other.format, other.clear)
+        (self.size, self.format, self.samples, self.clear)
+            == (other.size, other.format, other.samples, other.clear)
     }
 }
 
 /// The pixels that are drawn to, kept from image to image.
 #[derive(Debug)]
 pub(super) struct Target {
-    state: ImageState,
-    depth: DepthBuffer,
+    pub(super) state: ImageState,
+    pub(super) depth: DepthBuffer,
     /// In each row, a range around all pixels that were touched.
-    touched: Vec<Range<u32>>,
+    pub(super) touched: Vec<Range<u32>>,
     /// Whether a pixel's colour was written.
-    written: Vec<bool>,
+    pub(super) written: Vec<bool>,
+    /// What the samples hold, if a pixel has several.
+    pub(super) multisample: Option<Multisample>,
     /// Fragments counted during one image.
-    counts: Counts,
+    pub(super) counts: Counts,
     /// What the last image counted.
     stats: Stats,
 }
 
 #[derive(Debug, Default)]
-struct Counts {
+pub(super) struct Counts {
     pieces: u64,
-    spans: u64,
-    fragments: u64,
+    pub(super) spans: u64,
+    pub(super) fragments: u64,
     carried: u64,
     /// Either test.
-    failed: u64,
-    stencil_failed: u64,
-    redrawn: u64,
-    never_colored: u64,
+    pub(super) failed: u64,
+    pub(super) stencil_failed: u64,
+    pub(super) redrawn: u64,
+    pub(super) never_colored: u64,
     row_skipped: u64,
-    tally: Tally,
+    pub(super) tally: Tally,
 }
 
 impl Target {
@@ -128,9 +134,11 @@ impl Target {
         frame.depth_codes = state.format.max_code().map(|_| vec![code; pixels]);
         frame.stencil = vec![state.clear.stencil; pixels];
         let touched = vec![0..0; state.size[1] as usize];
+        let multisample = (state.samples != Samples::One).then(|| Multisample::new(&state, code, pixels));
         Self {
             state,
             depth,
+            multisample,
             touched,
             written: vec![false; pixels],
             counts: Counts::default(),
@@ -157,6 +165,7 @@ impl Target {
             frame.depth[range.clone()].fill(depth);
             frame.stencil[range.clone()].fill(state.clear.stencil);
             self.depth.fill(range.clone(), code);
+            self.multisample.iter_mut().for_each(|samples| samples.clear(range.clone(), &state, code));
             frame.depth_codes.iter_mut().for_each(|codes| codes[range.clone()].fill(code));
             self.written[range].fill(false);
             *columns = 0..0;
@@ -183,6 +192,14 @@ impl Target {
     /// A triangle whose fragments are dropped.
     fn carry(&mut self, vertices: [[f32; 2]; 3]) {
         let Counts { spans, fragments, carried, row_skipped, tally, .. } = &mut self.counts;
+        if self.multisample.is_some() {
+            let (samples, settings) = (self.state.samples, self.state.settings());
+            let mut pixels = 0;
+            cover_samples(vertices, samples, &settings, tally, &mut |_, _| pixels += 1);
+            *fragments += pixels;
+            *carried += pixels;
+            return;
+        }
         let counts =
             cover(self.state.algorithm, vertices, &self.state.settings(), tally, &mut |_| *spans += 1);
         *row_skipped += counts.skipped;
@@ -200,6 +217,10 @@ impl Target {
         let vertices = corners.map(|[x, y, ..]| [x, y]);
         let settings = self.state.settings();
         let mut tally = Tally::default();
+        if self.multisample.is_some() {
+            self.sampled_triangle(corners, shader, state);
+            return;
+        }
         let depths = DepthRows::new(corners.map(|[x, y, z, _]| [x, y, z]), self.state.format, &mut tally);
         let counts = cover(self.state.algorithm, vertices, &settings, &mut tally, &mut |span| {
             self.span(span, &depths.row(span.y), shader, state, frame);
@@ -218,12 +239,7 @@ impl Target {
     ) {
         self.counts.spans += 1;
         self.counts.fragments += u64::from(span.len());
-        let touched = &mut self.touched[span.y as usize];
-        *touched = if touched.start == touched.end {
-            span.begin..span.end
-        } else {
-            touched.start.min(span.begin)..touched.end.max(span.end)
-        };
+        self.touch(span);
         let Self { state: image, depth, written, counts, .. } = self;
         let range = frame.index([span.begin, span.y])..frame.index([span.end, span.y]);
         let colors = frame.color[4 * range.start..4 * range.end].as_chunks_mut().0;
@@ -249,12 +265,23 @@ impl Target {
         counts.never_colored += if early { failed } else { 0 };
     }
 
+    /// Pixels of a row are drawn to.
+    pub(super) fn touch(&mut self, span: Span) {
+        let touched = &mut self.touched[span.y as usize];
+        *touched = if touched.start == touched.end {
+            span.begin..span.end
+        } else {
+            touched.start.min(span.begin)..touched.end.max(span.end)
+        };
+    }
+
     /// Copies the depths to the frame and adds up what was counted.
     pub(super) fn finish<'s>(
         &mut self,
         frame: &mut Frame,
         states: impl Iterator<Item = &'s FragmentState> + Clone,
     ) {
+        self.resolve(frame);
         let codes = self.depth.codes();
         for (y, columns) in (0..).zip(&self.touched) {
             let range = frame.index([columns.start, y])..frame.index([columns.end, y]);
@@ -304,10 +331,21 @@ pub(super) enum Paint<'s> {
 impl<'s> Paint<'s> {
     #[inline]
     pub(super) fn new(shader: &'s Shader, state: &FragmentState, pixel: [u32; 2], tally: &mut Tally) -> Self {
+        Self::at_point(shader, state, centre(pixel[0], pixel[1]), tally)
+    }
+
+    /// The same at any point of the triangle.
+    #[inline]
+    pub(super) fn at_point(
+        shader: &'s Shader,
+        state: &FragmentState,
+        point: [f32; 2],
+        tally: &mut Tally,
+    ) -> Self {
         match (state.blend, shader.constant()) {
             (None, Some(codes)) => Self::Codes(codes),
-            (None, None) => Self::Codes(shader.at(pixel, tally).codes(tally)),
-            (Some(_), _) => Self::Exact(shader.at(pixel, tally)),
+            (None, None) => Self::Codes(shader.at(point, tally).codes(tally)),
+            (Some(_), _) => Self::Exact(shader.at(point, tally)),
         }
     }
 
@@ -318,34 +356,6 @@ impl<'s> Paint<'s> {
             (Self::Codes(codes), _) => *codes,
             (Self::Exact(color), Some(blend)) => color.blended(blend, stored, tally),
             (Self::Exact(color), None) => color.codes(tally),
-        }
-    }
-}
-
-/// A piece on the screen, as the labs take it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ScreenTriangle {
-    /// x and y in pixels, depth.
-    pub vertices: [[f32; 3]; 3],
-    /// 1/w at each vertex.
-    pub r: [f32; 3],
-    /// Which draw.
-    pub draw: u32,
-    /// Which triangle of its mesh.
-    pub triangle: u32,
-    /// Which part of the clipped triangle, from 0.
-    pub part: u32,
-}
-
-impl ScreenTriangle {
-    pub(super) fn new(draw: u32, screen: &[Point], piece: &Piece) -> Self {
-        let corners = piece.corners.map(|i| screen[i as usize]);
-        Self {
-            vertices: corners.map(|[x, y, z, _]| [x, y, z]),
-            r: corners.map(|[.., r]| r),
-            draw,
-            triangle: piece.triangle,
-            part: piece.part,
         }
     }
 }

@@ -40,6 +40,8 @@ pub enum Outcome {
     Culled {
         /// Its facing.
         facing: Facing,
+        /// The determinant of its (x, y, w) before clipping, whose sign is the facing.
+        determinant: f64,
         /// Whether it would have covered the pixel's centre.
         would_cover: bool,
     },
@@ -63,8 +65,8 @@ pub enum Outcome {
     },
     /// The stencil test failed.
     Stencil {
-        /// The stored value.
-        stored: u8,
+        /// The stored value before and after.
+        stored: [u8; 2],
     },
     /// The depth test failed.
     Depth {
@@ -72,6 +74,8 @@ pub enum Outcome {
         new: u32,
         /// The stored code.
         stored: u32,
+        /// The stencil value before and after.
+        stencil: [u8; 2],
     },
     /// It was written.
     Written {
@@ -81,9 +85,22 @@ pub enum Outcome {
         stored: u32,
         /// Colour codes before and after.
         color: [[u8; 4]; 2],
-        /// Whether a later fragment was written over it.
-        overwritten: bool,
+        /// The stencil value before and after.
+        stencil: [u8; 2],
+        /// What later fragments did to it.
+        later: Later,
     },
+}
+
+/// What became of a written fragment's colour later.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Later {
+    /// It is what the pixel shows.
+    Shown,
+    /// Later fragments were blended over it.
+    BlendedOver,
+    /// A later fragment replaced it.
+    Overwritten,
 }
 
 /// One triangle, or one piece of it, at a pixel.
@@ -140,11 +157,14 @@ pub fn pixel_history(scene: &Scene, outputs: &Outputs, pixel: [u32; 2]) -> Pixel
         probe.draw(index, draw, stages);
     }
     let Probe { color, stencil, depth, mut entries, .. } = probe;
-    let written = entries.iter_mut().filter_map(|entry| match &mut entry.outcome {
-        Outcome::Written { overwritten, .. } => Some(overwritten),
-        _ => None,
-    });
-    written.rev().skip(1).for_each(|overwritten| *overwritten = true);
+    let mut fate = Later::Shown;
+    for entry in entries.iter_mut().rev() {
+        if let Outcome::Written { later, .. } = &mut entry.outcome {
+            *later = fate;
+            let blends = scene.draws[entry.draw].blend.is_some();
+            fate = if blends && fate != Later::Overwritten { Later::BlendedOver } else { Later::Overwritten };
+        }
+    }
     PixelHistory { pixel, clear_color, clear_depth, entries, color, depth: depth.code([0, 0]), stencil }
 }
 
@@ -240,7 +260,7 @@ impl Probe {
         let pieces: Vec<_> = clipped.pieces.iter().map(|piece| piece.corners.map(place)).collect();
         let near = pieces.iter().any(|corners| self.is_near(corners));
         let would_cover = pieces.iter().any(|corners| self.miss(corners).is_none());
-        Some((Outcome::Culled { facing, would_cover }, near))
+        Some((Outcome::Culled { facing, determinant: determinant(wide(clip)), would_cover }, near))
     }
 
     /// What became of a piece on the screen, and whether it was near the pixel.
@@ -265,15 +285,17 @@ impl Probe {
         let new = plane.code(self.pixel, self.depth.format(), &mut self.tally);
         let (stored, stencil) = (self.depth.code([0, 0]), self.stencil);
         let depth = &mut self.depth;
-        let outcome = match state.test(&mut self.stencil, || depth.test(state.depth, [0, 0], new)) {
+        let tested = state.test(&mut self.stencil, || depth.test(state.depth, [0, 0], new));
+        let stencil = [stencil, self.stencil];
+        let outcome = match tested {
             StencilOutcome::Fail => Outcome::Stencil { stored: stencil },
-            StencilOutcome::DepthFail => Outcome::Depth { new, stored },
+            StencilOutcome::DepthFail => Outcome::Depth { new, stored, stencil },
             StencilOutcome::Pass => {
                 let paint = Paint::new(&shader, state, self.pixel, &mut self.tally);
                 let before = self.color;
                 self.color = paint.over(before, state, &mut self.tally);
                 let depth = state.depth.test.then_some(new);
-                Outcome::Written { depth, stored, color: [before, self.color], overwritten: false }
+                Outcome::Written { depth, stored, color: [before, self.color], stencil, later: Later::Shown }
             }
         };
         (outcome, near)
@@ -312,15 +334,13 @@ impl Probe {
         let x = f64::from(self.at[0]) / half_width - 1.0;
         let up = f64::from(self.at[1]) / half_height - 1.0;
         let y = if self.viewport.y_axis == YAxis::Down { -up } else { up };
-        let v = clip.map(|point| point.map(f64::from));
+        let v = wide(clip);
         let minor = |j: usize, k: usize| {
             let ([ax, ay, _, aw], [bx, by, _, bw]) = (v[j], v[k]);
             (ay * bw - aw * by) * x + (aw * bx - ax * bw) * y + (ax * by - ay * bx)
         };
         let weights = [minor(1, 2), minor(2, 0), minor(0, 1)];
-        let [ax, ay, _, aw] = v[0];
-        let ([bx, by, _, bw], [cx, cy, _, cw]) = (v[1], v[2]);
-        let determinant = ax * (by * cw - bw * cy) + ay * (bw * cx - bx * cw) + aw * (bx * cy - by * cx);
+        let determinant = determinant(v);
         let seen = determinant != 0.0 && weights.iter().all(|weight| weight * determinant.signum() >= 0.0);
         if !seen {
             return None;
@@ -335,4 +355,13 @@ impl Probe {
         }
         (z > w).then_some(Plane::Far)
     }
+}
+
+fn wide(clip: [Point; 3]) -> [[f64; 4]; 3] {
+    clip.map(|point| point.map(f64::from))
+}
+
+/// That of (x, y, w), in binary64; for the explanation only.
+fn determinant([[ax, ay, _, aw], [bx, by, _, bw], [cx, cy, _, cw]]: [[f64; 4]; 3]) -> f64 {
+    ax * (by * cw - bw * cy) + ay * (bw * cx - bx * cw) + aw * (bx * cy - by * cx)
 }

@@ -1,12 +1,13 @@
 //! What the history of a pixel says: message ids with arguments.
 
-use super::pixel::{Outcome, PixelEntry, PixelHistory};
+use super::pixel::{Later, Outcome, PixelEntry, PixelHistory};
 use crate::{
     cull::Facing,
     depth::DepthFormat,
     explain::Role,
     message::{Message, Value},
-    scene::Scene,
+    scene::{Draw, Scene},
+    stencil::StencilOutcome,
 };
 
 impl PixelEntry {
@@ -31,17 +32,22 @@ impl PixelEntry {
             Outcome::LostTie { .. } => Message::new("pipeline-pixel-lost-tie"),
             Outcome::Stencil { .. } => Message::new("pipeline-pixel-stencil"),
             Outcome::Depth { .. } => Message::new("pipeline-pixel-depth"),
-            Outcome::Written { overwritten: true, .. } => Message::new("pipeline-pixel-overwritten"),
-            Outcome::Written { .. } => Message::new("pipeline-pixel-written"),
+            Outcome::Written { later: Later::Overwritten, .. } => Message::new("pipeline-pixel-overwritten"),
+            Outcome::Written { later: Later::BlendedOver, .. } => Message::new("pipeline-pixel-blended-over"),
+            Outcome::Written { later: Later::Shown, .. } => Message::new("pipeline-pixel-written"),
         }
     }
 
-    /// The numbers behind the reason, at most two lines.
+    /// The numbers behind the reason, a few short lines.
     pub fn details(&self, scene: &Scene) -> Vec<Message> {
         let format = scene.depth_format;
         let draw = &scene.draws[self.draw];
         match self.outcome {
-            Outcome::Culled { would_cover: true, .. } => vec![Message::new("pipeline-pixel-would-cover")],
+            Outcome::Culled { determinant, would_cover, .. } => {
+                let number = Message::new("pipeline-pixel-determinant").with("value", determinant);
+                let covers = would_cover.then(|| Message::new("pipeline-pixel-would-cover"));
+                std::iter::once(number).chain(covers).collect()
+            }
             Outcome::OutsideEdge { edge, value } => {
                 vec![
                     Message::new("pipeline-pixel-edge-value")
@@ -52,37 +58,63 @@ impl PixelEntry {
             Outcome::LostTie { edge } => {
                 vec![Message::new("pipeline-pixel-on-edge").with("edge", edge_name(edge))]
             }
-            Outcome::Stencil { stored } => draw
-                .stencil
-                .iter()
-                .map(|state| {
-                    let masked = |value: u8| Value::Code { code: (value & state.read_mask).into(), width: 8 };
-                    Message::new("pipeline-pixel-stencil-values")
-                        .with("reference", masked(state.reference))
-                        .with("compare", Value::text(state.compare.sign()))
-                        .with("stored", masked(stored))
-                })
-                .collect(),
-            Outcome::Depth { new, stored } | Outcome::Written { depth: Some(new), stored, .. } => {
-                let failed = matches!(self.outcome, Outcome::Depth { .. });
-                let compare = draw.depth.compare;
-                let compare = if failed { compare.opposite_sign() } else { compare.sign() };
-                let line = |id, [new, stored]: [Value; 2]| {
-                    Message::new(id)
-                        .with("new", new)
-                        .with("compare", Value::text(compare))
-                        .with("stored", stored)
-                };
-                let id = if failed { "pipeline-pixel-depth-kept" } else { "pipeline-pixel-depth-stored" };
-                let mut lines = vec![line(id, [new, stored].map(|code| Value::F64(format.decode(code))))];
-                if format != DepthFormat::F32 {
-                    let code = |code| Value::Code { code, width: format.bits() };
-                    lines.push(line("pipeline-pixel-codes", [new, stored].map(code)));
+            Outcome::Stencil { stored } => self.stencil(draw, stored, StencilOutcome::Fail),
+            Outcome::Depth { new, stored, stencil } => {
+                let mut lines = self.stencil(draw, stencil, StencilOutcome::DepthFail);
+                lines.extend(depths(
+                    "pipeline-pixel-depth-kept",
+                    draw.depth.compare.opposite_sign(),
+                    format,
+                    [new, stored],
+                ));
+                lines
+            }
+            Outcome::Written { depth, stored, color: [before, after], stencil, .. } => {
+                let mut lines = self.stencil(draw, stencil, StencilOutcome::Pass);
+                if let Some(new) = depth {
+                    let id = if draw.depth.write {
+                        "pipeline-pixel-depth-stored"
+                    } else {
+                        "pipeline-pixel-depth-unwritten"
+                    };
+                    lines.extend(depths(id, draw.depth.compare.sign(), format, [new, stored]));
                 }
+                let id =
+                    if draw.blend.is_some() { "pipeline-pixel-blended" } else { "pipeline-pixel-replaced" };
+                let codes = |[r, g, b, a]: [u8; 4]| Value::text(format_args!("({r}, {g}, {b}, {a})"));
+                lines.push(Message::new(id).with("before", codes(before)).with("after", codes(after)));
                 lines
             }
             _ => Vec::new(),
         }
+    }
+
+    /// The stencil test with its masks, and what it stored; nothing without one.
+    fn stencil(&self, draw: &Draw, [before, after]: [u8; 2], outcome: StencilOutcome) -> Vec<Message> {
+        let Some(state) = draw.stencil else { return Vec::new() };
+        let code = |value: u8| Value::Code { code: value.into(), width: 8 };
+        let failed = outcome == StencilOutcome::Fail;
+        let sign = if failed { state.compare.opposite_sign() } else { state.compare.sign() };
+        let test = if sign.is_empty() {
+            Message::new("pipeline-pixel-stencil-compare").with("compare", Value::text(state.compare.name()))
+        } else {
+            Message::new("pipeline-pixel-stencil-values")
+                .with("reference", u32::from(state.reference))
+                .with("stored", u32::from(before))
+                .with("mask", code(state.read_mask))
+                .with("compare", Value::text(sign))
+        };
+        let stored = Message::new("pipeline-pixel-stencil-stored")
+            .with("operation", Value::text(state.operation(outcome).name()))
+            .with("before", u32::from(before))
+            .with("after", u32::from(after))
+            .with("mask", code(state.write_mask));
+        vec![test, stored]
+    }
+
+    /// Whether it is a fragment: what a run over the fragments steps through.
+    pub fn is_fragment(&self) -> bool {
+        matches!(self.outcome, Outcome::Stencil { .. } | Outcome::Depth { .. } | Outcome::Written { .. })
     }
 
     /// Whether it was drawn, not drawn, or never looked at here.
@@ -96,6 +128,18 @@ impl PixelEntry {
             _ => Role::Skipped,
         }
     }
+}
+
+/// A depth test in numbers, and in codes unless the depths are the codes.
+fn depths(id: &'static str, sign: &'static str, format: DepthFormat, codes: [u32; 2]) -> Vec<Message> {
+    let line = |id, [new, stored]: [Value; 2]| {
+        Message::new(id).with("new", new).with("compare", Value::text(sign)).with("stored", stored)
+    };
+    let code = |code| Value::Code { code, width: format.bits() };
+    vec![
+        line(id, codes.map(|code| Value::F64(format.decode(code)))),
+        line("pipeline-pixel-codes", codes.map(code)),
+    ]
 }
 
 /// An edge's name on the canvas.

@@ -85,9 +85,9 @@ impl Shader {
         self.constant
     }
 
-    /// The colour at a pixel's centre.
-    pub(super) fn at(&self, pixel: [u32; 2], tally: &mut Tally) -> Color<'_> {
-        let weights = self.interpolator.at(pixel, tally);
+    /// The colour at a point of the triangle, in pixels.
+    pub(super) fn at(&self, point: [f32; 2], tally: &mut Tally) -> Color<'_> {
+        let weights = self.interpolator.at_point(point, tally);
         let texel = match self.texture {
             None => 1.0,
             Some((uvs, texture)) => {

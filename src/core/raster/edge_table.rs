@@ -62,9 +62,7 @@ impl Settings {
 
     /// The corner that is used: as given, or snapped by fixed point.
     pub fn corner(&self, at: Point) -> Point {
-        let raster = super::Settings { arithmetic: self.arithmetic, ..super::Settings::new(self.size) };
-        let [corner, ..] = raster.vertices([at; 3]);
-        corner
+        at.map(|coordinate| self.arithmetic.snap(coordinate))
     }
 
     /// The row that the walk from the top comes to as number `line`.

@@ -10,6 +10,12 @@ pub mod backtracking;
 pub(crate) mod edge;
 pub mod edge_table;
 pub mod homogeneous;
+pub mod line;
+mod mistake;
+pub mod msaa;
+pub mod point;
+mod report;
+mod samples;
 pub mod scanline;
 pub mod tiled;
 pub mod traversal;
@@ -17,6 +23,8 @@ pub(crate) mod view;
 pub mod zigzag;
 
 pub use edge::{Edge, Edges};
+pub use mistake::Mistake;
+pub use samples::{NoPattern, Samples, cover_samples};
 
 use crate::math::{Arithmetic, Tally};
 use serde::{Deserialize, Serialize};
@@ -154,6 +162,8 @@ pub struct Settings {
     pub arithmetic: Arithmetic,
     /// The skip `row`: leave a row after its last pixel. Changes nothing but the count.
     pub skip_row: bool,
+    /// What is got wrong on purpose.
+    pub mistake: Option<Mistake>,
 }
 
 impl Settings {
@@ -165,12 +175,28 @@ impl Settings {
             y_axis: YAxis::default(),
             arithmetic: Arithmetic::default(),
             skip_row: true,
+            mistake: None,
         }
     }
 
-    /// The vertices that are rasterized: as given, or snapped by fixed point.
+    /// The vertices that are rasterized: as given, snapped by fixed point, or whole by mistake.
     pub fn vertices(&self, vertices: [[f32; 2]; 3]) -> [[f32; 2]; 3] {
-        vertices.map(|vertex| vertex.map(|coordinate| self.arithmetic.snap(coordinate)))
+        vertices.map(|vertex| {
+            vertex.map(|coordinate| match self.mistake {
+                Some(Mistake::WholeVertices) => coordinate.trunc() + 0.0,
+                _ => self.arithmetic.snap(coordinate),
+            })
+        })
+    }
+
+    /// How far from zero an edge function counts as zero, by mistake.
+    pub(crate) fn epsilon(&self) -> Option<f64> {
+        self.mistake.and_then(Mistake::epsilon)
+    }
+
+    /// Whether the scan line adds slopes up from row to row.
+    pub(crate) fn accumulates(&self) -> bool {
+        !self.arithmetic.is_exact() || self.mistake == Some(Mistake::AccumulatedSlopes)
     }
 }
 

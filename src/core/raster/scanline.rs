@@ -12,7 +12,7 @@ mod sentences;
 
 pub use explain::Snapshot;
 
-use super::{Counts, Edges, FillRule, Settings, Span, YAxis, first_centre};
+use super::{Counts, Edges, FillRule, Mistake, Settings, Span, YAxis, first_centre};
 use crate::{
     math::{Arithmetic, Real, Tally},
     replay::{Budget, Player},
@@ -169,6 +169,9 @@ pub fn fill_traced<T: Tracer<Event>>(
 ) -> Counts {
     match settings.arithmetic {
         Arithmetic::F32 => scan::<f32, T>(vertices, settings, tally, t, emit),
+        _ if settings.mistake == Some(Mistake::AccumulatedSlopes) => {
+            scan::<f32, T>(vertices, settings, tally, t, emit)
+        }
         _ => scan::<f64, T>(vertices, settings, tally, t, emit),
     }
 }
@@ -201,7 +204,7 @@ fn scan<R: Real, T: Tracer<Event>>(
     });
     let bound = |edge: Between, side| {
         let [start, _] = edge.ends().map(|end| sorted[end].map(R::from_f32));
-        Bound::new(edges.0[edge as usize], edge, side, start, slopes[edge as usize])
+        Bound::new(edges.0[edge as usize], (edge, side), start, slopes[edge as usize], settings)
     };
     let long_is_left = edges.0[Between::TopBottom as usize].is_left();
     let (long_side, short_side) =

@@ -7,12 +7,16 @@
 //! ways to traverse them); the ways' own files. Deviation: the sign of an edge function is exact, so that
 //! no vertex needs snapping.
 
-mod cells;
+pub(super) mod cells;
 mod explain;
 mod formulas;
+mod marks;
 pub(super) mod probe;
+mod tables;
+mod visits;
 
 pub use explain::Snapshot;
+pub use visits::{Visits, of_each_way, visits};
 
 use super::{Counts, Edges, Settings, Span, YAxis, first_centre};
 use crate::{
@@ -21,7 +25,7 @@ use crate::{
     trace::{NoTrace, Tracer},
 };
 use probe::{Exact, Probe, Taught};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::{fmt::Debug, ops::Range};
 
 /// Where a walker turns to.
@@ -32,6 +36,17 @@ pub enum Direction {
     Left,
     /// Towards greater x.
     Right,
+}
+
+/// What the drawing shows of the centres.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Show {
+    /// Which are drawn, and which were tested more than once.
+    #[default]
+    Pixels,
+    /// In which order they were tested: a heat map.
+    Visits,
 }
 
 /// What is known of a whole tile.
@@ -189,7 +204,17 @@ pub fn play<A: Traversal>(
     settings: Settings,
     budget: Budget,
 ) -> Player<Snapshot<A>> {
-    Player::new(Snapshot::new(vertices, settings), budget, move |t| {
+    play_shown(vertices, settings, Show::Pixels, budget)
+}
+
+/// [`play`] with another drawing of the centres.
+pub fn play_shown<A: Traversal>(
+    vertices: [[f32; 2]; 3],
+    settings: Settings,
+    show: Show,
+    budget: Budget,
+) -> Player<Snapshot<A>> {
+    Player::new(Snapshot::new(vertices, settings, show), budget, move |t| {
         fill_traced::<A, _>(vertices, &settings, &mut Tally::default(), t, &mut |_| {});
     })
 }
@@ -218,9 +243,13 @@ pub fn fill_traced<A: Traversal, T: Tracer<Event>>(
     let counts = if area.is_empty() {
         Counts::default()
     } else {
+        let epsilon = settings.epsilon();
         match settings.arithmetic {
-            Arithmetic::F32 => A::walk(&area, &mut Taught::<f32>::new(edges), t, emit),
-            Arithmetic::F64 => A::walk(&area, &mut Taught::<f64>::new(edges), t, emit),
+            Arithmetic::F32 => A::walk(&area, &mut Taught::<f32>::new(edges, epsilon), t, emit),
+            // Who has an epsilon does not ask for exact signs.
+            arithmetic if arithmetic == Arithmetic::F64 || epsilon.is_some() => {
+                A::walk(&area, &mut Taught::<f64>::new(edges, epsilon), t, emit)
+            }
             _ => A::walk(&area, &mut Exact::new(edges, area.columns.end, tally), t, emit),
         }
     };

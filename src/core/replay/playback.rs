@@ -3,7 +3,7 @@
 use super::Player;
 use crate::{
     compare::Fact,
-    explain::{Explain, Formula, Level, Mark, Marker, Operations, Table, Vantage, View},
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, PixelReport, Table, Vantage, View},
     message::Message,
 };
 
@@ -56,6 +56,11 @@ pub trait Playback: Send {
     fn ends(&self, level: Level) -> Vec<usize>;
     /// The result at the cursor as facts.
     fn facts(&self) -> Vec<Fact>;
+    /// Why a pixel, as column and row, is drawn in the end or not; `None` if the lab decides about none.
+    fn pixel(&self, at: [u32; 2]) -> Option<PixelReport>;
+    /// The steps of the verdicts on all fragments that come to a pixel, in order; none in a run that has
+    /// no fragments. Cost: linear in the run.
+    fn fragments_at(&self, pixel: [u32; 2]) -> Vec<usize>;
     /// What the run costs up to the cursor, and as a whole. Cost: linear in the run.
     fn operations(&self) -> [Operations; 2];
     /// The event that led to the cursor, for logs.
@@ -183,6 +188,20 @@ impl<S: Explain> Playback for Player<S> {
         let mut out = Vec::new();
         self.state.facts(&mut out);
         out
+    }
+
+    fn pixel(&self, at: [u32; 2]) -> Option<PixelReport> {
+        self.state.pixel(at)
+    }
+
+    fn fragments_at(&self, pixel: [u32; 2]) -> Vec<usize> {
+        let (mut row, mut steps) = (0, Vec::new());
+        self.for_each(|step, event| {
+            if S::fragment(event, &mut row) == Some(pixel) {
+                steps.push(step + 1);
+            }
+        });
+        steps
     }
 
     fn operations(&self) -> [Operations; 2] {

@@ -9,6 +9,7 @@ use super::{
 };
 use crate::{
     compare::Setting,
+    raster::Samples,
     transform::{Camera, Projection},
 };
 
@@ -42,7 +43,9 @@ impl Scene {
         each_in_unit(&self.clear.color).map_err(|e| e.within("color").within("clear"))?;
         unit(self.clear.depth).map_err(|e| e.within("depth").within("clear"))?;
         camera(&self.camera).map_err(|e| e.within("camera"))?;
-        refuse_if(self.samples != 1, "samples", Problem::Samples)?;
+        refuse_if(Samples::try_from(self.samples).is_err(), "samples", Problem::Samples)?;
+        let limit = MAX_PIXELS / self.samples;
+        refuse_if(width * height > limit, "size", Problem::TooManyPixels { limit })?;
         for (i, item) in self.draws.iter().enumerate() {
             draw(item).map_err(|e| e.within(i).within("draws"))?;
         }

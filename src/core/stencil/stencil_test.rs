@@ -33,6 +33,8 @@ pub struct Draw {
     pub depth: DepthState,
     /// The stencil test; without one all fragments pass and leave the stencil alone.
     pub stencil: Option<StencilState>,
+    /// Whether its colour is seen: a draw that only counts leaves every pixel as it looks.
+    pub visible: bool,
 }
 
 /// The conventions of a run.
@@ -249,7 +251,7 @@ fn draw_triangle_traced<T: Tracer<Event>>(
                 depth.test(draw.depth, pixel, code)
             });
             counts[outcome as usize] += 1;
-            if outcome == StencilOutcome::Pass {
+            if outcome == StencilOutcome::Pass && draw.visible {
                 image.show(pixel, index);
             }
             t.emit(|| Event::of(outcome, image.stencil[at]));

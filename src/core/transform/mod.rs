@@ -7,7 +7,7 @@
 pub mod chain;
 pub mod frustum;
 pub mod matrices;
-mod screen;
+pub(crate) mod screen;
 
 pub use chain::{Chain, Space};
 pub use matrices::{Matrix, apply};

@@ -58,9 +58,11 @@ fn role_of(mark: &mut Mark) -> Option<(&mut Role, u8)> {
         Mark::Guide { role, .. } => Some((role, 4)),
         Mark::Curve { role, .. } => Some((role, 5)),
         Mark::Run { .. }
+        | Mark::Shade { .. }
         | Mark::Span { .. }
         | Mark::Text { .. }
         | Mark::Key { .. }
+        | Mark::Hint { .. }
         | Mark::Image { .. }
         | Mark::Space(_) => None,
     }

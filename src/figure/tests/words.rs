@@ -18,7 +18,8 @@ use rasterscope_figure::{
 };
 
 /// Beginnings of ids that several files share; all others begin with the name of their file.
-const SHARED: [&str; 8] = ["error-", "column-", "row-", "word-", "stage-", "preset-", "marker-", "mistake-"];
+const SHARED: [&str; 9] =
+    ["error-", "column-", "row-", "word-", "stage-", "preset-", "marker-", "mistake-", "pixel-"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")

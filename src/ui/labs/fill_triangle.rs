@@ -13,7 +13,7 @@ use rasterscope_core::{
     labs::{self, LabInput},
     math::Arithmetic,
     pipeline::screen_triangles,
-    raster::{Algorithm, FillRule},
+    raster::{Algorithm, FillRule, Mistake, traversal::Show},
     scene::{Draw, Scene},
 };
 
@@ -36,6 +36,14 @@ impl Lab for FillTriangle {
             arithmetic(ui, face, &mut input.arithmetic);
         }
         choices::snapping(ui, face, view);
+        if let LabInput::FillTriangle(input) = document.input_mut() {
+            if self.0 != Algorithm::Scanline {
+                let mut visits = input.show == Show::Visits;
+                choices::check(ui, face, "ui-show-visits", &mut visits);
+                input.show = if visits { Show::Visits } else { Show::Pixels };
+            }
+            mistakes(ui, face, labs::FillTriangle::mistakes(self.0), &mut input.mistake);
+        }
         if let LabInput::FillTriangle(labs::FillTriangle { vertices: None, triangle, .. }) =
             document.input_mut()
         {
@@ -61,16 +69,8 @@ impl Lab for FillTriangle {
     }
 
     fn outcome(&self, _: &Document, markers: &[(usize, Marker)]) -> Option<Outcome> {
-        Some(Outcome {
-            came: None,
-            went: count_plain(markers),
-            unit: Some(if self.0 == Algorithm::Scanline {
-                "pipeline-unit-spans"
-            } else {
-                "pipeline-unit-rows"
-            }),
-            given: (1, "pipeline-unit-triangles"),
-        })
+        let unit = if self.0 == Algorithm::Scanline { "pipeline-unit-spans" } else { "pipeline-unit-rows" };
+        Some(Outcome { unit: Some(unit), ..rows(markers) })
     }
 
     fn drag(&self, document: &mut Document, handle: usize, to: [f32; 2]) {
@@ -78,6 +78,16 @@ impl Lab for FillTriangle {
             corners[handle] = to;
             set_corners(document, corners);
         }
+    }
+}
+
+/// How many rows or spans a run has come to.
+pub(super) fn rows(markers: &[(usize, Marker)]) -> Outcome {
+    Outcome {
+        came: None,
+        went: count_plain(markers),
+        unit: Some("pipeline-unit-rows"),
+        given: (1, "pipeline-unit-triangles"),
     }
 }
 
@@ -109,6 +119,20 @@ pub(super) fn is_small(scene: &Scene) -> bool {
 pub(super) fn fill_rule(ui: &mut Ui, face: &Face<'_>, document: &mut Document) {
     let all = FillRule::ALL.map(|rule| (rule, face.say(rule.word())));
     choices::choose(ui, face, "ui-fill-rule", &mut document.scene.fill_rule, &all);
+}
+
+/// The mistakes that can be made: one at a time.
+pub(super) fn mistakes(ui: &mut Ui, face: &Face<'_>, all: &[Mistake], made: &mut Option<Mistake>) {
+    heading(ui, face, &face.say("ui-mistakes"));
+    for &mistake in all {
+        let mut this = *made == Some(mistake);
+        choices::mistake(ui, face, mistake.words(), &mut this);
+        if this {
+            *made = Some(mistake);
+        } else if *made == Some(mistake) {
+            *made = None;
+        }
+    }
 }
 
 /// What edges are computed in.

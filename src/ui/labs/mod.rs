@@ -4,9 +4,11 @@
 //! inspector and painting are the shell's, the same for all.
 
 mod aabb;
+mod area_ratios;
 mod back_face;
 mod backtracking;
 mod blend;
+mod bresenham;
 mod bvh;
 mod clip_line;
 mod clip_plane;
@@ -15,16 +17,26 @@ mod clip_triangle;
 mod cohen_sutherland;
 mod corners;
 mod cyrus_beck;
+mod dda;
+mod depth_precision;
+mod diamond_exit;
+mod draw_line;
 mod edge_table;
 mod fill_triangle;
 mod frustum_culling;
+mod homogeneous;
+mod interpolation;
 mod liang_barsky;
 mod midpoint;
+mod msaa;
 mod nicholl_lee_nicholl;
 mod objects;
+mod perspective_correction;
 mod pipeline;
 mod placing;
+mod plane_equation;
 mod point_clipping;
+mod points;
 mod scanline;
 mod stencil;
 mod sutherland_hodgman;
@@ -167,9 +179,19 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(backtracking::LAB),
         Box::new(zigzag::LAB),
         Box::new(tiled::LAB),
+        Box::new(homogeneous::Homogeneous),
         Box::new(edge_table::EdgeTable),
+        Box::new(dda::LAB),
+        Box::new(bresenham::LAB),
+        Box::new(diamond_exit::LAB),
+        Box::new(points::Points),
         Box::new(stencil::Stencil),
+        Box::new(msaa::Msaa),
+        Box::new(area_ratios::LAB),
+        Box::new(plane_equation::LAB),
+        Box::new(perspective_correction::PerspectiveCorrection),
         Box::new(z_buffer::ZBuffer),
+        Box::new(depth_precision::DepthPrecision),
         Box::new(blend::Blend),
     ]
 }

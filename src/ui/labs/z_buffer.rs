@@ -12,7 +12,7 @@ use crate::{
 };
 use egui::Ui;
 use rasterscope_core::{
-    depth::DepthFormat,
+    depth::{CompareFunction, DepthFormat},
     explain::{Marker, Role},
     labs::{self, LabInput},
     pipeline::screen_triangles,
@@ -30,6 +30,7 @@ impl Lab for ZBuffer {
     fn controls(&self, ui: &mut Ui, face: &Face<'_>, document: &mut Document, view: &mut ViewState) {
         heading(ui, face, &face.say("ui-conventions"));
         depth_format(ui, face, document);
+        test(ui, face, document);
         fill_rule(ui, face, document);
         choices::snapping(ui, face, view);
         let mut triangles = triangles(document);
@@ -43,7 +44,7 @@ impl Lab for ZBuffer {
             }
         }
         if triangles != before {
-            *document.input_mut() = labs::ZBuffer { triangles: Some(triangles) }.into();
+            set_triangles(document, triangles);
         }
     }
 
@@ -71,16 +72,50 @@ impl Lab for ZBuffer {
         if let Some(triangle) = triangles.get_mut(handle / 3) {
             let corner = &mut triangle[handle % 3];
             *corner = [x, y, corner[2]];
-            *document.input_mut() = labs::ZBuffer { triangles: Some(triangles) }.into();
+            set_triangles(document, triangles);
         }
     }
+}
+
+/// From the first edit on the triangles are the lab's own.
+fn set_triangles(document: &mut Document, triangles: Vec<[[f32; 3]; 3]>) {
+    if let LabInput::ZBuffer(input) = document.input_mut() {
+        input.triangles = Some(triangles);
+    }
+}
+
+/// What passes, what is stored then, and what the buffer is cleared to: of the lab's own triangles, or
+/// of all of the scene's draws.
+fn test(ui: &mut Ui, face: &Face<'_>, document: &mut Document) {
+    let LabInput::ZBuffer(mut input) = document.input().clone() else { return };
+    let own = input.triangles.is_some();
+    let first = document.scene.draws.first().map(|draw| draw.depth).unwrap_or_default();
+    let before = if own { (input.test, input.write) } else { (first.compare, first.write) };
+    let (mut compare, mut write) = before;
+    let all = CompareFunction::ALL.map(|compare| (compare, compare.name().to_owned()));
+    choices::choose(ui, face, "ui-depth-test", &mut compare, &all);
+    choices::check(ui, face, "ui-depth-write", &mut write);
+    if (compare, write) != before {
+        if own {
+            (input.test, input.write) = (compare, write);
+            *document.input_mut() = input.into();
+        } else {
+            let states = document.scene.draws.iter_mut().map(|draw| &mut draw.depth);
+            states.for_each(|state| (state.compare, state.write) = (compare, write));
+        }
+    }
+    let name = face.say("ui-depth-clear");
+    let clear = &mut document.scene.clear.depth;
+    choices::labelled(ui, face, &name, |ui, width| choices::number(ui, face, width, &name, clear));
+    *clear = clear.clamp(0.0, 1.0);
+    choices::check(ui, face, "ui-depth-reversed", &mut document.scene.reversed);
 }
 
 /// The lab's own triangles, or those of the scene if they are few.
 fn triangles(document: &Document) -> Vec<[[f32; 3]; 3]> {
     match document.input() {
-        LabInput::ZBuffer(labs::ZBuffer { triangles: Some(triangles) }) => triangles.clone(),
-        LabInput::ZBuffer(labs::ZBuffer { triangles: None }) if is_small(&document.scene) => {
+        LabInput::ZBuffer(labs::ZBuffer { triangles: Some(triangles), .. }) => triangles.clone(),
+        LabInput::ZBuffer(labs::ZBuffer { triangles: None, .. }) if is_small(&document.scene) => {
             screen_triangles(&document.scene).iter().map(|triangle| triangle.vertices).collect()
         }
         _ => Vec::new(),

@@ -13,6 +13,8 @@ use rasterscope_figure::words::Words;
 #[derive(Clone, Debug)]
 pub(crate) struct History {
     pub(crate) pixel: [u32; 2],
+    /// The image's.
+    pub(crate) size: [u32; 2],
     /// Its colour codes now.
     pub(crate) color: [u8; 4],
     /// What the clear left, in order: depth, code.
@@ -28,6 +30,8 @@ pub(crate) struct Entry {
     pub(crate) reason: String,
     pub(crate) role: Role,
     pub(crate) details: Vec<String>,
+    /// Whether a run over the fragments steps through it.
+    pub(crate) fragment: bool,
 }
 
 impl History {
@@ -37,9 +41,11 @@ impl History {
             reason: words.message(&entry.reason()),
             role: entry.role(),
             details: entry.details(scene).iter().map(|line| words.message(line)).collect(),
+            fragment: entry.is_fragment(),
         });
         Self {
             pixel: history.pixel,
+            size: scene.size,
             color: history.color,
             clear: words.value(&Value::F64(scene.depth_format.decode(history.clear_depth))),
             entries: entries.collect(),

@@ -46,6 +46,8 @@ pub(crate) struct Drawing<'a> {
     pub(crate) rev: (Maker, u64),
     /// What it is compared with, if it is one of two.
     pub(crate) compared: Option<Compared<'a>>,
+    /// The pixel that the inspector explains, if it is to be outlined.
+    pub(crate) chosen: Option<[u32; 2]>,
 }
 
 /// What a drawing is compared with.
@@ -337,7 +339,8 @@ impl Canvas {
         face: &Face<'_>,
     ) -> &Figure {
         let theme = face.look.theme;
-        let chosen = drawing.compared.and_then(|compared| compared.chosen);
+        let pixel = drawing.chosen.map(|pixel| Fact::pixel(pixel, Vec::new()));
+        let chosen = drawing.compared.and_then(|compared| compared.chosen).or(pixel.as_ref());
         let key = (drawing.rev, placement, camera, size, theme.name, self.dragging, chosen.cloned());
         if self.figure.as_ref().is_none_or(|(old, ..)| *old != key) {
             self.drawn += 1;

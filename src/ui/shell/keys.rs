@@ -15,7 +15,13 @@ pub(crate) fn all() -> Vec<Shortcut> {
     let key = |key| KeyboardShortcut::new(Modifiers::NONE, key);
     let ctrl = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
     let ctrl_shift = |key| KeyboardShortcut::new(Modifiers::COMMAND | Modifiers::SHIFT, key);
+    let shift = |key| KeyboardShortcut::new(Modifiers::SHIFT, key);
     vec![
+        // Before the same keys without Shift, which they would be taken for.
+        (shift(Key::ArrowLeft), Command::MovePixel([-1, 0]), "ui-key-pixel"),
+        (shift(Key::ArrowRight), Command::MovePixel([1, 0]), "ui-key-pixel"),
+        (shift(Key::ArrowUp), Command::MovePixel([0, -1]), "ui-key-pixel"),
+        (shift(Key::ArrowDown), Command::MovePixel([0, 1]), "ui-key-pixel"),
         (key(Key::Home), Command::Begin, "ui-timeline-begin"),
         (key(Key::ArrowLeft), Command::Back, "ui-timeline-back"),
         (key(Key::Space), Command::Play, "ui-key-play"),
@@ -62,7 +68,7 @@ pub(crate) fn pressed(ctx: &Context, handles: &[Id]) -> Vec<Command> {
         for (shortcut, command, _) in all() {
             let taken = match shortcut.logical_key {
                 Key::Space => focused.is_some(),
-                Key::ArrowLeft | Key::ArrowRight => handle,
+                Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp | Key::ArrowDown => handle,
                 _ => false,
             };
             if !taken && input.consume_shortcut(&shortcut) {
@@ -76,6 +82,7 @@ pub(crate) fn pressed(ctx: &Context, handles: &[Id]) -> Vec<Command> {
 /// A key as it is shown.
 pub(crate) fn text(ctx: &Context, shortcut: &KeyboardShortcut) -> String {
     match shortcut.logical_key {
+        Key::ArrowLeft if shortcut.modifiers.shift => "Shift ← → ↑ ↓".to_owned(),
         Key::ArrowLeft => "←".to_owned(),
         Key::ArrowRight => "→".to_owned(),
         _ => ctx.format_shortcut(shortcut),
@@ -114,7 +121,9 @@ pub(crate) fn overlay(ui: &Ui, face: &Face<'_>) {
         .fixed_pos(centre);
     area.show(ui.ctx(), |ui| {
         Grid::new("keys").num_columns(2).spacing([24.0, 6.0]).show(ui, |ui| {
-            for (shortcut, _, name) in all() {
+            // One row says what all four do.
+            let pixel = |command: &Command| matches!(command, Command::MovePixel(by) if *by != [-1, 0]);
+            for (shortcut, _, name) in all().into_iter().filter(|(_, command, _)| !pixel(command)) {
                 ui.label(face.rich(text(ui.ctx(), &shortcut), Text::MonoStrong));
                 ui.label(face.rich(face.say(name), Text::Label));
                 ui.end_row();

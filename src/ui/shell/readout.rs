@@ -5,11 +5,14 @@ use super::{
     handles::Plane,
 };
 use crate::{face::Face, overview::Hover, theme::Text, widgets::text_in};
-use egui::{Align2, Rect, Response, Ui, pos2, vec2};
+use egui::{Align2, Pos2, Rect, Response, Ui, pos2, vec2};
 use rasterscope_core::{
     explain::{Grid, Mark},
     message::{Message, Value},
 };
+
+/// So near to a place the pointer is at it.
+const HINT: f32 = 10.0;
 
 /// What lies under the pointer, at the foot of the canvas; returns the pixel there.
 pub(super) fn readout(
@@ -41,7 +44,9 @@ pub(super) fn readout(
     let centre = [x as f32 + 0.5, y as f32 + 0.5];
     let place = Message::new("ui-readout-pixel").with("x", x).with("y", y).with("centre", centre);
     let mut line = face.words.message(&place);
-    if let Some(known) = known.filter(|known| known.pixel == pixel) {
+    if let Some(hint) = hint_at(drawing.marks, plane, at) {
+        line = face.words.message(hint);
+    } else if let Some(known) = known.filter(|known| known.pixel == pixel) {
         line = format!("{line}  {}", known.text);
     } else if let Some(value) = value_at(drawing.marks, pixel) {
         line = format!("{line}  {}", face.say_with("ui-readout-value", "value", value));
@@ -49,6 +54,16 @@ pub(super) fn readout(
     let legend = drawing.marks.iter().any(|mark| matches!(mark, Mark::Key { .. }));
     foot(ui, face, plane.rect, &line, legend);
     Some(pixel)
+}
+
+/// What a drawing says of the place nearest to the pointer, if there is one near.
+fn hint_at<'a>(marks: &'a [Mark], plane: &Plane, pointer: Pos2) -> Option<&'a Message> {
+    let hints = marks.iter().filter_map(|mark| match mark {
+        Mark::Hint { at, text } => Some((plane.place(*at).distance(pointer), text)),
+        _ => None,
+    });
+    let (distance, text) = hints.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    (distance <= HINT).then_some(text)
 }
 
 /// The value that a drawing has at a pixel.

@@ -10,6 +10,7 @@ mod keys;
 mod labs;
 mod painter;
 mod pictures;
+mod pixel;
 mod reach;
 mod source;
 mod split;

@@ -1,14 +1,12 @@
 //! What the lab shows of layers over one pixel.
 
-use super::{Event, Snapshot};
+use super::{Event, Snapshot, picture};
 use crate::{
     blend::{BlendOperation, Terms},
     compare::Fact,
     explain::{Explain, Formula, Grid, Level, Mark, Marker, Operations, Piece, Role, Row, Table, View},
     message::{Message, Value},
 };
-
-use super::picture;
 
 /// The channels' names: message ids.
 const CHANNELS: [&str; 4] = ["row-red", "row-green", "row-blue", "row-alpha"];
@@ -123,8 +121,8 @@ impl Explain for Snapshot {
                 let all = [text("= ")].into_iter().chain(old).chain([text(" − ")]).chain(new);
                 ("c = dst · Fd − src · Fs", all.collect())
             }
-            BlendOperation::Min => ("c = min(src, dst)", self::least_or_most("= min(", &terms)),
-            BlendOperation::Max => ("c = max(src, dst)", self::least_or_most("= max(", &terms)),
+            BlendOperation::Min => ("c = min(src, dst)", least_or_most("= min(", &terms)),
+            BlendOperation::Max => ("c = max(src, dst)", least_or_most("= max(", &terms)),
         };
         let mut numbers: Vec<Piece> = numbers;
         numbers.extend([text(" = "), result]);

@@ -1,7 +1,10 @@
 //! The drawing of layers over a pixel: the layers in a row, below them what the pixel held and holds.
 
-use super::Snapshot;
-use crate::explain::{Label, Mark, Role};
+use super::{Order, Snapshot};
+use crate::{
+    explain::{Label, Mark, Role},
+    interpolate::unorm,
+};
 use std::sync::Arc;
 
 /// Width and height of a swatch, and from one to the next.
@@ -70,18 +73,20 @@ fn swatches(state: &Snapshot) -> Vec<Swatch> {
     for (place, &index) in state.list.iter().enumerate() {
         let layer = state.layers[usize::from(index)];
         let compared = state.compared.is_some_and(|at| [at, at + 1].contains(&(place as u8)));
-        let role = match () {
-            () if state.layer == Some(index) => Role::Active,
-            () if compared => Role::Changed,
-            () => Role::Neutral,
+        let role = if state.layer == Some(index) {
+            Role::Active
+        } else if compared {
+            Role::Changed
+        } else {
+            Role::Neutral
         };
         let mut lines = vec![format!("α {}", layer.color[3])];
-        if state.settings.order == super::Order::Sorted {
+        if state.settings.order == Order::Sorted {
             lines.push(format!("z {}", layer.depth));
         }
         all.push(Swatch {
             at: [place + 1, 0],
-            color: layer.color.map(|channel| crate::interpolate::unorm(channel, 255) as u8),
+            color: layer.color.map(|channel| unorm(channel, 255) as u8),
             role,
             name: state.names[usize::from(index)].clone(),
             lines,

@@ -165,6 +165,17 @@ impl Explain for Snapshot {
         view_of(&points, &self.settings.raster)
     }
 
+    fn fragment(event: &Event, row: &mut u32) -> Option<[u32; 2]> {
+        match *event {
+            Event::Row { y, .. } => {
+                *row = y;
+                None
+            }
+            Event::Fragment { x, .. } => Some([x.into(), *row]),
+            _ => None,
+        }
+    }
+
     fn facts(&self, out: &mut Vec<Fact>) {
         let [width, height] = self.settings.raster.size;
         let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
@@ -287,6 +298,9 @@ impl Snapshot {
         };
         key(Role::Accepted, Sign::Marker, "z-buffer-key-passed", self.name());
         key(Role::Rejected, Sign::Marker, "z-buffer-key-failed", self.name());
+        if self.verdicts.iter().any(|(_, role)| *role == Role::Tie) {
+            key(Role::Tie, Sign::Marker, "z-buffer-key-equal", self.name());
+        }
         key(Role::Neutral, Sign::Line, "z-buffer-key-object", self.name());
         let others: Vec<u32> = (0..)
             .zip(self.names.iter())
@@ -318,7 +332,7 @@ impl Cells for Snapshot {
         Mark::Pixel { at: pixel.map(|n| n as i32), role, object: self.object(pixel), value }
     }
 
-    fn verdicts(&self) -> &[([u16; 2], bool)] {
+    fn verdicts(&self) -> &[([u16; 2], Role)] {
         &self.verdicts
     }
 

@@ -1,7 +1,10 @@
 //! What a z-buffer run has done so far.
 
 use super::{Event, Image, Name, Settings, Triangle};
-use crate::{explain::letter, replay::State};
+use crate::{
+    explain::{Role, letter},
+    replay::State,
+};
 use std::sync::Arc;
 
 /// A fragment on its way through the test.
@@ -29,8 +32,9 @@ pub struct Snapshot {
     pub(super) triangle: Option<u32>,
     pub(super) y: u32,
     pub(super) fragment: Option<Fragment>,
-    /// Pixels that the triangle was tested at, and the verdicts.
-    pub(super) verdicts: Vec<([u16; 2], bool)>,
+    /// Pixels that the triangle was tested at, and the verdicts; a tie where another triangle's code was
+    /// the same.
+    pub(super) verdicts: Vec<([u16; 2], Role)>,
     /// How many fragments have come to each pixel; more than that stay that.
     pub(super) arrived: Vec<u16>,
     /// Passed and failed fragments of each triangle begun.
@@ -64,7 +68,14 @@ impl Snapshot {
     fn verdict(&mut self, passed: bool) {
         let Some(fragment) = &mut self.fragment else { return };
         fragment.passed = Some(passed);
-        self.verdicts.push(([fragment.x as u16, self.y as u16], passed));
+        let role = if fragment.code == fragment.stored && fragment.owner.is_some() {
+            Role::Tie
+        } else if passed {
+            Role::Accepted
+        } else {
+            Role::Rejected
+        };
+        self.verdicts.push(([fragment.x as u16, self.y as u16], role));
         if let Some([passes, fails]) = self.counts.last_mut() {
             *(if passed { passes } else { fails }) += 1;
         }
@@ -130,7 +141,7 @@ impl State for Snapshot {
     }
 
     fn size_hint(&self) -> usize {
-        let pixel = 2 * size_of::<u32>() + size_of::<u16>() + size_of::<([u16; 2], bool)>();
+        let pixel = 2 * size_of::<u32>() + size_of::<u16>() + size_of::<([u16; 2], Role)>();
         size_of::<Self>()
             + self.image.depth.codes().len() * pixel
             + self.triangles.len() * size_of::<[u32; 2]>()

@@ -2,7 +2,7 @@
 
 use super::{Between, Counts, Event, Settings, Side, YAxis};
 use crate::{
-    math::{Arithmetic, Real, Sign, Tally, UNIT_ROUNDOFF},
+    math::{Real, Sign, Tally, UNIT_ROUNDOFF},
     raster::{
         Edge,
         edge::{bisect, centre},
@@ -19,6 +19,9 @@ pub(super) struct Bound<R> {
     slope: R,
     /// The crossing with the row before, to which rounded arithmetic adds the slope.
     last: Option<R>,
+    /// Whether the slope is added up, and from how near a crossing counts as lying on a centre.
+    accumulates: bool,
+    epsilon: Option<f64>,
 }
 
 /// Absolute error of a crossing `x0 + (y - y0) dx / dy` in binary64 relative to the magnitudes of its two
@@ -27,8 +30,15 @@ pub(super) struct Bound<R> {
 const CROSSING_ERROR: f64 = 8.0 * UNIT_ROUNDOFF;
 
 impl<R: Real> Bound<R> {
-    pub(super) fn new(edge: Edge, name: Between, side: Side, start: [R; 2], slope: R) -> Self {
-        Self { edge, name, side, start, slope, last: None }
+    pub(super) fn new(
+        edge: Edge,
+        (name, side): (Between, Side),
+        start: [R; 2],
+        slope: R,
+        settings: &Settings,
+    ) -> Self {
+        let (accumulates, epsilon) = (settings.accumulates(), settings.epsilon());
+        Self { edge, name, side, start, slope, last: None, accumulates, epsilon }
     }
 
     /// The first pixel of the span of row `y`, or the one past its last.
@@ -41,14 +51,15 @@ impl<R: Real> Bound<R> {
         counts: &mut Counts,
     ) -> u32 {
         let (name, side) = (self.name, self.side);
-        let (x, error) = self.crossing(y, settings);
+        let (crossing, error) = self.crossing(y, settings);
+        let x = self.epsilon.map_or(crossing, |epsilon| near_centre(crossing, epsilon));
         t.emit(|| Event::Crossing { side, edge: name, x });
         // A tie belongs to the span if the edge draws it: then a left end begins at the tie and a
         // right end comes after it.
         let past_ties = self.edge.draws_ties == (side == Side::Right);
         let width = settings.size[0];
         let guess = super::first_centre(x, past_ties, width);
-        let (end, tie) = if settings.arithmetic.is_exact() {
+        let (end, tie) = if !self.accumulates && self.epsilon.is_none() {
             let signs = u64::from(guess > 0) + u64::from(guess < width);
             // The centre before lies before the crossing, that of the end behind it, beyond any doubt.
             let after = f64::from(guess) + 0.5;
@@ -75,11 +86,9 @@ impl<R: Real> Bound<R> {
     fn crossing(&mut self, y: u32, settings: &Settings) -> (f64, f64) {
         let [x0, y0] = self.start;
         let along = (R::from_f32(y as f32 + 0.5) - y0) * self.slope;
-        let x = match (settings.arithmetic, self.last) {
-            (Arithmetic::F32 | Arithmetic::F64, Some(last)) => match settings.y_axis {
-                YAxis::Down => last + self.slope,
-                YAxis::Up => last - self.slope,
-            },
+        let x = match (self.last, settings.y_axis) {
+            (Some(last), YAxis::Down) if self.accumulates => last + self.slope,
+            (Some(last), YAxis::Up) if self.accumulates => last - self.slope,
             _ => x0 + along,
         };
         self.last = Some(x);
@@ -112,6 +121,13 @@ impl<R: Real> Bound<R> {
         let zero = |sign: Option<Sign>| sign.is_some_and(Sign::is_zero);
         (end, if zero(before) { Some(end - 1) } else { zero(at).then_some(end) })
     }
+}
+
+/// A crossing that lies nearly on a centre, moved onto it: the mistake of an epsilon.
+fn near_centre(x: f64, epsilon: f64) -> f64 {
+    let centre = x.floor() + 0.5;
+    // Half a pixel or more would leave nothing between two centres.
+    if (x - centre).abs() < epsilon.min(0.25) { centre } else { x }
 }
 
 /// The pixel, if any, whose centre has exactly this x.

@@ -4,11 +4,16 @@ use super::{Between, Event, Side, fill};
 use crate::{
     compare::Fact,
     explain::{
-        Explain, Formula, Label, Level, MOST_PIXELS, Mark, Marker, Operations, Role, Row, Table, View,
+        Explain, Formula, Label, Level, MOST_PIXELS, Mark, Marker, Operations, PixelReport, Role, Row, Table,
+        View,
     },
-    math::Tally,
+    math::{Arithmetic, Tally},
     message::{Message, Value},
-    raster::{Settings, Span, view::view_of},
+    raster::{
+        Edges, Settings, Span,
+        report::{Fate, Subject},
+        view::view_of,
+    },
     replay::State,
 };
 use std::sync::Arc;
@@ -280,6 +285,18 @@ impl Explain for Snapshot {
 
     fn view(&self) -> View {
         view_of(&[self.vertices], &self.settings)
+    }
+
+    fn pixel(&self, [x, y]: [u32; 2]) -> Option<PixelReport> {
+        let mut drawn = false;
+        fill(self.given, &self.settings, &mut Tally::default(), &mut |span| {
+            drawn |= span.y == y && (span.begin..span.end).contains(&x);
+        });
+        // The edges are asked exactly: where rounded crossings say otherwise, the report warns.
+        let settings = Settings { arithmetic: Arithmetic::Exact, mistake: None, ..self.settings };
+        let edges = Edges::new(self.vertices, &settings, &mut Tally::default());
+        let (given, vertices, edges) = (self.given, self.vertices, edges.as_ref());
+        Subject { given, vertices, edges, settings: &settings, fate: Fate::Known(drawn) }.report([x, y])
     }
 
     fn facts(&self, out: &mut Vec<Fact>) {

@@ -79,7 +79,7 @@ impl Snapshot {
 
     /// The crossing of the row before, if rounded arithmetic added the slope to it.
     fn last_crossing(&self, side: Side, edge: Between) -> Option<f64> {
-        if self.settings.arithmetic.is_exact() {
+        if !self.settings.accumulates() {
             return None;
         }
         let before = self.rows.iter().nth_back(1)?;

@@ -1,54 +1,63 @@
 //! What the lab shows of a traversal.
 
 use super::{
-    Direction, Event, Traversal, Verdict,
+    Area, Direction, Event, Show, Traversal, Verdict,
     cells::{Cell, Cells},
+    probe::{Says, says},
+    visits::{Visits, of_each_way},
 };
 use crate::{
     compare::Fact,
-    explain::{
-        Explain, Formula, Label, Level, MOST_PIXELS, Mark, Marker, Operations, Role, Row, Table, View,
-    },
-    math::{Sign, Tally, edge_value},
+    explain::{Explain, Formula, Level, Mark, Marker, Operations, PixelReport, Role, Table, View},
+    math::Tally,
     message::{Message, Value},
-    raster::{Edges, Settings, Span, edge::centre, view::view_of},
+    raster::{
+        Algorithm, Edges, Settings, Span,
+        report::{Fate, Subject, ends_of},
+        view::view_of,
+    },
     replay::State,
 };
-use std::marker::PhantomData;
+use std::{marker::PhantomData, sync::Arc};
 
 /// The edges by name.
-const NAMES: [&str; 3] = ["E0", "E1", "E2"];
+pub(super) const NAMES: [&str; 3] = ["E0", "E1", "E2"];
 
 /// What the user sees between two events: the fold of the events so far.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot<A> {
     /// As given; drawn beside the snapped ones if they differ.
-    given: [[f32; 2]; 3],
-    vertices: [[f32; 2]; 3],
+    pub(super) given: [[f32; 2]; 3],
+    pub(super) vertices: [[f32; 2]; 3],
     settings: Settings,
     /// The edges in the order of the bits; `None` if the area is zero.
     pub(super) edges: Option<Edges>,
-    cells: Cells,
+    pub(super) show: Show,
+    /// What each way looks at; empty if the triangle is large.
+    pub(super) ways: Arc<[(Algorithm, Visits)]>,
+    pub(super) cells: Cells,
     /// Centres looked at, drawn, and left out behind the triangle.
-    counts: [u32; 3],
+    pub(super) counts: [u32; 3],
     /// Tiles outside, inside and split, by size.
-    tiles: [[u32; 3]; 3],
+    pub(super) tiles: [[u32; 3]; 3],
     /// The tiles that were split or decided last, from coarse to fine.
-    nested: Vec<(u16, u16, u8, Verdict)>,
+    pub(super) nested: Vec<(u16, u16, u8, Verdict)>,
     /// The centre looked at last.
-    now: Option<[u16; 2]>,
+    pub(super) now: Option<[u16; 2]>,
     way: PhantomData<A>,
 }
 
 impl<A: Traversal> Snapshot<A> {
     /// Before the first event.
-    pub fn new(given: [[f32; 2]; 3], settings: Settings) -> Self {
+    pub fn new(given: [[f32; 2]; 3], settings: Settings, show: Show) -> Self {
         let vertices = settings.vertices(given);
         Self {
             given,
             vertices,
             settings,
             edges: Edges::new(vertices, &settings, &mut Tally::default()),
+            show,
+            ways: of_each_way(given, &settings).into(),
             cells: Cells::default(),
             counts: [0; 3],
             tiles: [[0; 3]; 3],
@@ -60,41 +69,24 @@ impl<A: Traversal> Snapshot<A> {
 
     /// The spans found so far, sorted by row.
     pub fn result(&self) -> Vec<Span> {
-        let mut spans: Vec<Span> = Vec::new();
-        for ([x, y], cell) in self.cells.all().filter(|(_, cell)| cell.is_drawn()) {
-            let _: Cell = cell;
-            let [x, y] = [x, y].map(u32::from);
-            match spans.last_mut() {
-                Some(span) if span.y == y => span.end = x + 1,
-                _ => spans.push(Span { y, begin: x, end: x + 1 }),
-            }
-        }
-        spans
+        self.cells.spans()
     }
 
-    /// The value of an edge function at a centre, rounded for show, and its exact sign.
-    pub(super) fn value(&self, edge: usize, [x, y]: [u16; 2]) -> Option<(f64, Sign)> {
-        let edge = self.edges.as_ref()?.0[edge];
-        let at = centre(x.into(), y.into());
-        let sign = edge.side(at, &mut Tally::default());
-        let value = edge_value(edge.ends[0], edge.ends[1], at).value;
-        Some((if sign.is_zero() { 0.0 } else { value }, sign))
+    /// What each edge says of a centre, as it was computed.
+    pub(super) fn says(&self, [x, y]: [u16; 2]) -> Option<[Says; 3]> {
+        self.edges.as_ref().map(|edges| says(edges, &self.settings, [x.into(), y.into()]))
     }
 
     /// The name of an edge by its ends, such as `V0V1`.
-    fn ends_of(&self, edge: usize) -> String {
-        let name = |p: [f32; 2]| {
-            let index = self.vertices.iter().position(|vertex| *vertex == p).unwrap_or_default();
-            format!("V{index}")
-        };
-        self.edges.as_ref().map_or_else(String::new, |edges| edges.0[edge].ends.map(name).concat())
+    pub(super) fn ends_of(&self, edge: usize) -> String {
+        self.edges.as_ref().map_or_else(String::new, |edges| ends_of(&edges.0[edge], self.vertices))
     }
 
     /// Whether a tie rule decided about a centre: it lies on an edge and outside of none.
-    fn tie(&self, at: [u16; 2]) -> Option<usize> {
-        let signs = [0, 1, 2].map(|edge| self.value(edge, at).map_or(Sign::Positive, |(_, sign)| sign));
-        let on = signs.iter().position(|sign| sign.is_zero());
-        on.filter(|_| signs.iter().all(|sign| !sign.is_negative()))
+    pub(super) fn tie(&self, at: [u16; 2]) -> Option<usize> {
+        let says = self.says(at)?;
+        let on = says.iter().position(|edge| edge.tie);
+        on.filter(|_| says.iter().all(|edge| edge.tie || edge.draws))
     }
 
     fn test_sentence(&self, at: [u16; 2], keeps_out: u8) -> Message {
@@ -259,118 +251,23 @@ impl<A: Traversal> Explain for Snapshot<A> {
     }
 
     fn tables(&self, out: &mut Vec<Table>) {
-        let rows = NAMES.into_iter().enumerate().map(|(edge, name)| {
-            let value = self.now.and_then(|at| self.value(edge, at));
-            let kept = self.now.and_then(|at| self.cells.at(at[0], at[1]));
-            let out = kept.is_some_and(|cell| cell.keeps_out() & 1 << edge != 0);
-            let word = match value {
-                None => Value::None,
-                Some((_, sign)) if sign.is_zero() && out => Value::Word("traversal-tie-lost"),
-                Some((_, sign)) if sign.is_zero() => Value::Word("traversal-tie-drawn"),
-                Some(_) if out => Value::Word("traversal-keeps-out"),
-                Some(_) => Value::Word("traversal-lets-in"),
-            };
-            let role = match value {
-                Some((_, sign)) if sign.is_zero() => Some(Role::Tie),
-                Some(_) if out => Some(Role::Rejected),
-                _ => None,
-            };
-            let cells = vec![Value::text(self.ends_of(edge)), value.map(|(value, _)| value).into(), word];
-            Row::new(name, cells).role(role)
-        });
-        out.push(Table {
-            title: "traversal-edges",
-            columns: vec!["column-traversal-edge", "column-traversal-value", "column-traversal-verdict"],
-            rows: rows.collect(),
-        });
-        let [tested, drawn, skipped] = self.counts;
-        let count = |name: &str, count: u32| Row::new(name, vec![count.into()]);
-        let mut rows = vec![
-            count("row-traversal-box", self.cells.len() as u32),
-            count("row-traversal-tested", tested),
-            count("row-traversal-drawn", drawn),
-            count("row-traversal-wasted", self.wasted()),
-            count("row-traversal-skipped", skipped),
-        ];
-        rows.retain(|row| row.name != "row-traversal-skipped" || skipped > 0);
-        out.push(Table { title: "traversal-counts", columns: vec!["column-traversal-centres"], rows });
-        if A::NAME == super::super::tiled::Tiled::NAME {
-            let rows = super::super::tiled::SIZES.into_iter().zip(self.tiles).map(|(size, counts)| {
-                let active = self.nested.last().is_some_and(|tile| u32::from(tile.2) == size);
-                Row::new(format!("{size} × {size}"), counts.map(Value::from).to_vec()).active(active)
-            });
-            out.push(Table {
-                title: "traversal-tiles",
-                columns: vec![
-                    "column-traversal-outside",
-                    "column-traversal-inside",
-                    "column-traversal-split",
-                ],
-                rows: rows.collect(),
-            });
-        }
+        self.list(out);
     }
 
     fn marks(&self, event: Option<&Event>, out: &mut Vec<Mark>) {
-        let many = self.cells.len() > MOST_PIXELS;
-        if many {
-            let spans = self.result().into_iter();
-            out.extend(spans.map(|Span { y, begin, end }| Mark::Run {
-                y: y as i32,
-                columns: [begin as i32, end as i32],
-                role: Role::Accepted,
-                object: Some(0),
-            }));
-        } else {
-            for ([x, y], cell) in self.cells.all() {
-                let again = if cell.tests() > 1 { Value::from(cell.tests()) } else { Value::BLANK };
-                if cell.is_drawn() {
-                    out.push(pixel([x, y], Role::Accepted, Some(0), again));
-                } else if cell.tests() > 0 {
-                    out.push(pixel([x, y], Role::Skipped, None, again));
-                }
-            }
-        }
-        if self.given != self.vertices {
-            out.push(outline(self.given.to_vec(), Role::Exact));
-        }
-        for &(x, y, size, verdict) in &self.nested {
-            let [left, top] = [x, y].map(f32::from);
-            let (right, bottom) = (left + f32::from(size), top + f32::from(size));
-            let now = matches!(event, Some(Event::Tile { size: of, .. }) if *of == size);
-            let role = match verdict {
-                _ if now => Role::Active,
-                Verdict::Outside { .. } => Role::Rejected,
-                Verdict::Inside => Role::Accepted,
-                Verdict::Split => Role::Candidate,
-            };
-            out.push(outline(vec![[left, top], [right, top], [right, bottom], [left, bottom]], role));
-        }
-        out.push(outline(self.vertices.to_vec(), Role::Neutral));
-        if let Some(edges) = &self.edges {
-            let keeping = match event {
-                Some(Event::Test { keeps_out, .. }) => *keeps_out,
-                Some(Event::Tile { verdict: Verdict::Outside { edge }, .. }) => 1 << edge,
-                _ => 0,
-            };
-            for (i, edge) in edges.0.iter().enumerate() {
-                let role = if keeping & 1 << i == 0 { Role::Neutral } else { Role::Rejected };
-                out.push(Mark::Segment { ends: edge.ends, role, label: Some(Label::name(NAMES[i])) });
-            }
-        }
-        if let Some(at) = self.now {
-            let object = self.cells.at(at[0], at[1]).filter(|cell| cell.is_drawn()).map(|_| 0);
-            let role = if self.tie(at).is_some() { Role::Tie } else { Role::Active };
-            out.push(pixel(at, role, object, Value::BLANK));
-        }
-        for (index, at) in self.vertices.into_iter().enumerate() {
-            let label = Some(Label::new(["V0", "V1", "V2"][index], at));
-            out.push(Mark::Point { at, role: Role::Neutral, label });
-        }
+        self.draw(event, out);
     }
 
     fn view(&self) -> View {
         view_of(&[self.vertices], &self.settings)
+    }
+
+    fn pixel(&self, at @ [x, y]: [u32; 2]) -> Option<PixelReport> {
+        let Self { given, vertices, settings, .. } = *self;
+        let area = Area::new(vertices, &settings);
+        let in_box = area.columns.contains(&x) && area.rows.contains(&y);
+        let fate = if in_box { Fate::Asked } else { Fate::OutsideBox };
+        Subject { given, vertices, edges: self.edges.as_ref(), settings: &settings, fate }.report(at)
     }
 
     fn facts(&self, out: &mut Vec<Fact>) {
@@ -378,20 +275,4 @@ impl<A: Traversal> Explain for Snapshot<A> {
             out.extend((begin..end).map(|x| Fact::pixel([x, y], Vec::new())));
         }
     }
-}
-
-impl<A> Snapshot<A> {
-    /// Tests that drew nothing new.
-    fn wasted(&self) -> u32 {
-        let drawing = self.cells.all().filter(|(_, cell)| cell.is_drawn() && cell.tests() > 0).count();
-        self.counts[0].saturating_sub(drawing as u32)
-    }
-}
-
-fn pixel([x, y]: [u16; 2], role: Role, object: Option<usize>, value: Value) -> Mark {
-    Mark::Pixel { at: [x.into(), y.into()], role, object, value }
-}
-
-fn outline(points: Vec<[f32; 2]>, role: Role) -> Mark {
-    Mark::Polygon { points, role, object: None, label: None }
 }

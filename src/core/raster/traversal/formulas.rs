@@ -12,7 +12,7 @@ impl<A: Traversal> Snapshot<A> {
         let (Event::Test { x, y, keeps_out }, Some(edges)) = (*event, &self.edges) else { return None };
         // The edge that decides: the first that keeps it out, the one it lies on, or the nearest.
         let at = [x, y];
-        let values = [0, 1, 2].map(|edge| self.value(edge, at).map_or(f64::INFINITY, |(value, _)| value));
+        let values = self.says(at).map_or([f64::INFINITY; 3], |says| says.map(|edge| edge.value));
         let nearest = (0..3).min_by(|&a, &b| values[a].total_cmp(&values[b])).unwrap_or_default();
         let edge = if keeps_out == 0 { nearest } else { (keeps_out.trailing_zeros() as usize).min(2) };
         let [[ax, ay], [bx, by]] = edges.0[edge].ends;

@@ -4,8 +4,11 @@
 //! doubt, the exact predicate decides.
 
 use crate::{
-    math::{Real, Sign, Tally, predicates::FOUR_ROUNDINGS},
-    raster::edge::{Edge, Edges, centre},
+    math::{Arithmetic, Real, Sign, Tally, edge_value, predicates::FOUR_ROUNDINGS},
+    raster::{
+        Settings,
+        edge::{Edge, Edges, centre},
+    },
 };
 
 /// Asks the edges about centres.
@@ -172,6 +175,8 @@ impl Probe for Exact<'_> {
 pub(super) struct Taught<R> {
     edges: [Edge; 3],
     functions: [Function<R>; 3],
+    /// How far from zero a value still counts as zero, by mistake; else 0.
+    epsilon: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -181,12 +186,26 @@ struct Function<R> {
 }
 
 impl<R: Real> Taught<R> {
-    pub(super) fn new(edges: Edges) -> Self {
+    pub(super) fn new(edges: Edges, epsilon: Option<f64>) -> Self {
         let function = |edge: Edge| {
             let [[ax, ay], [bx, by]] = edge.ends.map(|end| end.map(R::from_f32));
             Function { normal: [ay - by, bx - ax], from: [ax, ay] }
         };
-        Self { edges: edges.0, functions: edges.0.map(function) }
+        Self { edges: edges.0, functions: edges.0.map(function), epsilon: epsilon.unwrap_or_default() }
+    }
+
+    /// An edge function at a centre.
+    #[inline]
+    fn value(&self, edge: usize, x: u32, y: u32) -> R {
+        let Function { normal, from } = self.functions[edge];
+        let [x, y] = centre(x, y).map(R::from_f32);
+        normal[0] * (x - from[0]) + normal[1] * (y - from[1])
+    }
+
+    /// Whether a value means that the centre lies on the edge.
+    #[inline]
+    fn is_tie(&self, value: R) -> bool {
+        (value == R::ZERO) | (value.to_f64().abs() < self.epsilon)
     }
 }
 
@@ -206,9 +225,47 @@ impl<R: Real> Probe for Taught<R> {
 
     #[inline]
     fn draws(&mut self, edge: usize, x: u32, y: u32) -> bool {
-        let Function { normal, from } = self.functions[edge];
-        let [x, y] = centre(x, y).map(R::from_f32);
-        let value = normal[0] * (x - from[0]) + normal[1] * (y - from[1]);
-        (value > R::ZERO) | ((value == R::ZERO) & self.edges[edge].draws_ties)
+        let value = self.value(edge, x, y);
+        let tie = self.is_tie(value);
+        (!tie & (value > R::ZERO)) | (tie & self.edges[edge].draws_ties)
     }
+}
+
+/// What one edge says of a centre, as computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Says {
+    /// The edge function, rounded to binary64 if it was computed exactly.
+    pub(crate) value: f64,
+    /// Whether it counts as zero: the tie rule decides.
+    pub(crate) tie: bool,
+    /// Whether the edge lets the centre in.
+    pub(crate) draws: bool,
+}
+
+/// What each edge says of a centre in the arithmetic of the settings.
+pub(crate) fn says(edges: &Edges, settings: &Settings, [x, y]: [u32; 2]) -> [Says; 3] {
+    fn taught<R: Real>(edges: &Edges, settings: &Settings, [x, y]: [u32; 2]) -> [Says; 3] {
+        let mut probe = Taught::<R>::new(*edges, settings.epsilon());
+        [0, 1, 2].map(|edge| {
+            let value = probe.value(edge, x, y);
+            Says { value: value.to_f64(), tie: probe.is_tie(value), draws: probe.draws(edge, x, y) }
+        })
+    }
+    match settings.arithmetic {
+        Arithmetic::F32 => taught::<f32>(edges, settings, [x, y]),
+        arithmetic if arithmetic == Arithmetic::F64 || settings.epsilon().is_some() => {
+            taught::<f64>(edges, settings, [x, y])
+        }
+        _ => exactly(edges, [x, y]),
+    }
+}
+
+/// What each edge says of a centre, without a rounding but the value's.
+pub(crate) fn exactly(edges: &Edges, [x, y]: [u32; 2]) -> [Says; 3] {
+    let at = centre(x, y);
+    edges.0.map(|edge| {
+        let sign = edge.side(at, &mut Tally::default());
+        let value = edge_value(edge.ends[0], edge.ends[1], at).value;
+        Says { value: if sign.is_zero() { 0.0 } else { value }, tie: sign.is_zero(), draws: edge.draws(sign) }
+    })
 }

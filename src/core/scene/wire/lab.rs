@@ -105,7 +105,7 @@ fn choice(compare: &Value, input: &LabInput) -> Result<Option<Choice>, FieldErro
     let [(field, value)] = fields[..] else { return Ok(None) };
     let all: Vec<_> = input.choices().into_iter().filter(|choice| choice.field == *field).collect();
     let Some(first) = all.first() else { return Ok(None) };
-    let found = all.iter().find(|choice| choice.value() == *value);
+    let found = all.iter().find(|choice| choice.is(value));
     found.copied().map(Some).ok_or_else(|| {
         let known = all.iter().map(|choice| choice.json.trim_matches('"')).collect();
         FieldError::at(first.field, Problem::UnknownName { name: shortened(&value.to_string()), known })

@@ -191,6 +191,17 @@ impl Explain for Snapshot {
         view_of(&points, &self.settings.raster)
     }
 
+    fn fragment(event: &Event, row: &mut u32) -> Option<[u32; 2]> {
+        match *event {
+            Event::Row { y, .. } => {
+                *row = y;
+                None
+            }
+            Event::Fragment { x, .. } => Some([x.into(), *row]),
+            _ => None,
+        }
+    }
+
     fn facts(&self, out: &mut Vec<Fact>) {
         let [width, height] = self.settings.raster.size;
         let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));

@@ -1,5 +1,7 @@
 //! The drawing of a stencil run: the value of every pixel, the shapes, and where their corners went.
 
+use std::collections::BTreeMap;
+
 use super::{Draw, Snapshot};
 use crate::{
     depth::z_buffer::Triangle,
@@ -7,7 +9,7 @@ use crate::{
     message::{Message, Value},
 };
 
-/// Of a draw with more triangles only the edges on its border are drawn.
+/// Of a draw with more triangles it is not shown where each corner went.
 const MOST_TRIANGLES: usize = 64;
 
 impl Cells for Snapshot {
@@ -28,7 +30,7 @@ impl Cells for Snapshot {
         self.image.owner(pixel).is_some() || self.image.value(pixel) != self.settings.clear
     }
 
-    fn verdicts(&self) -> &[([u16; 2], bool)] {
+    fn verdicts(&self) -> &[([u16; 2], Role)] {
         &self.verdicts
     }
 
@@ -87,36 +89,84 @@ impl Snapshot {
     }
 }
 
-/// The edges of a shape that belong to one of its triangles only, or all of few triangles.
+/// The border of a shape: loops, the first with the name, if every corner of it is left once; else edges.
 fn shape(triangles: &[Triangle], role: Role, named: Option<(&Draw, usize)>, out: &mut Vec<Mark>) {
     let edges = border(triangles);
     let mut label = named.map(|(draw, index)| Label::name(&draw.name).of(index));
-    for (i, triangle) in triangles.iter().enumerate() {
-        for (a, b) in [(0, 1), (1, 2), (2, 0)] {
-            let ends = [triangle[a], triangle[b]].map(|[x, y, _]| [x, y]);
-            if edges[3 * i + a] {
-                out.push(Mark::Segment { ends, role, label: label.take() });
-            }
+    match loops(&edges) {
+        Some(loops) => out.extend(loops.into_iter().map(|points| Mark::Polygon {
+            points,
+            role,
+            object: None,
+            label: label.take(),
+        })),
+        None => {
+            out.extend(edges.into_iter().map(|ends| Mark::Segment { ends, role, label: label.take() }));
         }
     }
 }
 
-/// Whether each edge belongs to one triangle only.
-fn border(triangles: &[Triangle]) -> Vec<bool> {
-    let key = |[x, y, _]: [f32; 3]| [x, y].map(|c| (c + 0.0).to_bits());
-    let mut ends: Vec<_> = Vec::with_capacity(3 * triangles.len());
-    for triangle in triangles {
-        for (a, b) in [(0, 1), (1, 2), (2, 0)] {
-            let mut pair = [key(triangle[a]), key(triangle[b])];
-            pair.sort_unstable();
-            ends.push(pair);
-        }
-    }
-    let mut sorted = ends.clone();
-    sorted.sort_unstable();
-    let times = |pair| {
-        let begin = sorted.partition_point(|other| other < pair);
-        sorted[begin..].partition_point(|other| other <= pair)
+/// Two points are the same if their bits are; zero has one sign.
+fn key(point: [f32; 2]) -> [u32; 2] {
+    point.map(|c| (c + 0.0).to_bits())
+}
+
+/// The edges that belong to one triangle only, each in the order of its triangle.
+fn border(triangles: &[Triangle]) -> Vec<[[f32; 2]; 2]> {
+    let corners =
+        |[a, b]: [usize; 2], triangle: &Triangle| [triangle[a], triangle[b]].map(|[x, y, _]| [x, y]);
+    let sides = |triangle| [[0, 1], [1, 2], [2, 0]].map(|ends| corners(ends, triangle));
+    let edges: Vec<_> = triangles.iter().flat_map(sides).collect();
+    let pair = |ends: &[[f32; 2]; 2]| {
+        let mut pair = ends.map(key);
+        pair.sort_unstable();
+        pair
     };
-    ends.iter().map(|pair| times(pair) == 1).collect()
+    let mut times = BTreeMap::new();
+    for ends in &edges {
+        *times.entry(pair(ends)).or_insert(0) += 1;
+    }
+    edges.into_iter().filter(|ends| times[&pair(ends)] == 1).collect()
+}
+
+/// The edges one after the other, as closed polygons; `None` if two begin at one corner.
+fn loops(edges: &[[[f32; 2]; 2]]) -> Option<Vec<Vec<[f32; 2]>>> {
+    let mut next: BTreeMap<_, _> = edges.iter().map(|[from, to]| (key(*from), *to)).collect();
+    if next.len() != edges.len() {
+        return None;
+    }
+    let mut all = Vec::new();
+    while let Some((&first, _)) = next.first_key_value() {
+        let (mut points, mut at) = (Vec::new(), first);
+        while let Some(to) = next.remove(&at) {
+            points.push(to);
+            at = key(to);
+        }
+        if at != first {
+            return None;
+        }
+        all.push(points);
+    }
+    Some(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_triangles_of_a_square_have_its_border() {
+        let [a, b, c, d] = [[0.0, 0.0, 0.5], [2.0, 0.0, 0.5], [2.0, 2.0, 0.5], [0.0, 2.0, 0.5]];
+        let edges = border(&[[a, b, c], [a, c, d]]);
+        assert_eq!(edges.len(), 4);
+        let loops = loops(&edges).expect("it is one loop");
+        assert_eq!(loops, [[[2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]]]);
+    }
+
+    #[test]
+    fn triangles_that_meet_in_a_corner_only_have_no_loop() {
+        let [a, b, c] = [[0.0, 0.0, 0.5], [2.0, 0.0, 0.5], [0.0, 2.0, 0.5]];
+        let [d, e] = [[-2.0, 0.0, 0.5], [0.0, -2.0, 0.5]];
+        assert_eq!(loops(&border(&[[a, b, c], [a, d, e]])), None);
+    }
 }

@@ -1,7 +1,7 @@
 //! What a stencil run has done so far.
 
 use super::{Draw, Event, Image, Settings, StencilOutcome};
-use crate::replay::State;
+use crate::{explain::Role, replay::State};
 use std::sync::Arc;
 
 /// A fragment on its way through the tests.
@@ -28,8 +28,8 @@ pub struct Snapshot {
     pub(super) enlarged: bool,
     pub(super) y: u32,
     pub(super) fragment: Option<Fragment>,
-    /// Pixels that the draw was tested at, and whether it passed.
-    pub(super) verdicts: Vec<([u16; 2], bool)>,
+    /// Pixels that the draw was tested at, and the verdicts.
+    pub(super) verdicts: Vec<([u16; 2], Role)>,
     /// How many fragments have come to each pixel; more than that stay that.
     pub(super) arrived: Vec<u16>,
     /// Fragments of each draw begun, by their outcomes.
@@ -69,15 +69,20 @@ impl Snapshot {
         let (pixel, code) = ([fragment.x, self.y], fragment.codes[0]);
         let index = self.image.depth.index(pixel);
         self.image.stencil[index] = after;
-        self.verdicts.push((pixel.map(|n| n as u16), outcome == StencilOutcome::Pass));
+        let passed = outcome == StencilOutcome::Pass;
+        let role = if passed { Role::Accepted } else { Role::Rejected };
+        self.verdicts.push((pixel.map(|n| n as u16), role));
         if let Some(counts) = self.counts.last_mut() {
             counts[outcome as usize] += 1;
         }
         if let (StencilOutcome::Pass, Some((draw, owner))) = (outcome, self.current()) {
+            let visible = draw.visible;
             if draw.depth.test && draw.depth.write {
                 self.image.depth.set(pixel, code);
             }
-            self.image.show(pixel, owner);
+            if visible {
+                self.image.show(pixel, owner);
+            }
         }
     }
 }
@@ -132,7 +137,7 @@ impl State for Snapshot {
     }
 
     fn size_hint(&self) -> usize {
-        let pixel = 2 * size_of::<u32>() + size_of::<u8>() + size_of::<u16>() + size_of::<([u16; 2], bool)>();
+        let pixel = 2 * size_of::<u32>() + size_of::<u8>() + size_of::<u16>() + size_of::<([u16; 2], Role)>();
         size_of::<Self>() + self.image.depth.codes().len() * pixel + self.draws.len() * size_of::<[u32; 3]>()
     }
 }

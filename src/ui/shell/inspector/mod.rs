@@ -4,6 +4,7 @@ mod difference;
 mod exact;
 mod listing;
 mod pixel;
+mod report;
 mod step;
 mod table;
 
@@ -19,7 +20,7 @@ use crate::{
 use egui::{Align2, Rect, Role as Part, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
 use rasterscope_core::{
     compare::{Pair, Side},
-    explain::Operations,
+    explain::{Operations, PixelReport},
 };
 use rasterscope_figure::{
     numbers,
@@ -93,6 +94,9 @@ pub(crate) fn csv(tables: &[TextTable]) -> String {
 pub(crate) struct Whole<'a> {
     pub(crate) history: Option<&'a History>,
     pub(crate) stages: Option<&'a TextTable>,
+    /// Whether the lab decides about pixels, and what it says of the chosen one.
+    pub(crate) decides: bool,
+    pub(crate) report: Option<&'a ([u32; 2], PixelReport)>,
     /// Both runs, where there are two, what each costs, and the side that is explained.
     pub(crate) pair: Option<&'a Pair>,
     pub(crate) costs: [Operations; 2],
@@ -111,7 +115,7 @@ pub(crate) fn show(
 ) {
     let rect = ui.max_rect();
     let height = if face.look.projector() { 44.0 } else { 36.0 };
-    let pixels = whole.stages.is_some();
+    let pixels = whole.stages.is_some() || whole.decides;
     if view.tab == Tab::Pixel && !pixels {
         view.tab = Tab::Step;
     }
@@ -142,6 +146,7 @@ pub(crate) fn show(
                     (Some(sides), Some(pair)) => difference::show(ui, face, sides, (pair, whole.costs), view),
                     _ => empty(ui, face, frame, None),
                 },
+                (Tab::Pixel, ..) if whole.decides => report::show(ui, face, whole.report),
                 (Tab::Pixel, ..) => pixel::show(ui, face, whole.history),
                 (_, None, _) | (_, _, None) => empty(ui, face, frame, whole.stages),
                 (Tab::Step, Some(shown), Some(digest)) => step::show(ui, face, shown, digest),
@@ -166,7 +171,7 @@ pub(crate) fn show(
     });
 }
 
-/// The tabs; only the whole scene has the last, the history of its pixels.
+/// The tabs; only what decides about pixels has the last.
 const TABS: [(Tab, &str); 4] = [
     (Tab::Step, "ui-tab-step"),
     (Tab::Listing, "ui-tab-listing"),

@@ -2,13 +2,13 @@
 
 use super::{inset, part_line};
 use crate::{
-    face::Face,
+    face::{Command, Face},
     overview::{Entry, History},
     paint,
     theme::{self, Text},
     widgets::text_in,
 };
-use egui::{Align2, Rect, Role as Part, Sense, StrokeKind, Ui, WidgetInfo, pos2, vec2};
+use egui::{Align2, DragValue, Rect, Role as Part, Sense, StrokeKind, Ui, WidgetInfo, pos2, vec2};
 use rasterscope_core::{explain::Role, message::Message};
 
 /// Shows the history.
@@ -20,6 +20,8 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, history: Option<&History>) {
         });
     };
     head(ui, face, history);
+    go_to(ui, face, history);
+    ui.add_space(8.0);
     part_line(ui, face);
     let clear = Entry {
         name: face.say("ui-pixel-clear"),
@@ -30,9 +32,14 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, history: Option<&History>) {
         ),
         role: Role::Skipped,
         details: Vec::new(),
+        fragment: false,
     };
-    for entry in std::iter::once(&clear).chain(&history.entries) {
-        show_entry(ui, face, entry);
+    show_entry(ui, face, &clear, None);
+    part_line(ui, face);
+    let mut fragments = 0;
+    for entry in &history.entries {
+        show_entry(ui, face, entry, entry.fragment.then_some(fragments));
+        fragments += usize::from(entry.fragment);
         part_line(ui, face);
     }
     inset(ui, |ui| {
@@ -56,7 +63,28 @@ fn head(ui: &mut Ui, face: &Face<'_>, history: &History) {
     text_in(ui.painter(), room, Align2::LEFT_CENTER, &title, face.look.font(Text::Title), face.look.text);
 }
 
-fn show_entry(ui: &mut Ui, face: &Face<'_>, entry: &Entry) {
+/// Goes to a pixel by its number.
+fn go_to(ui: &mut Ui, face: &Face<'_>, history: &History) {
+    let mut pixel = history.pixel;
+    inset(ui, |ui| {
+        ui.horizontal(|ui| {
+            let label = face.say("ui-pixel-go");
+            ui.label(face.dim(&label, Text::Label));
+            for (axis, name) in ["x", "y"].into_iter().enumerate() {
+                let last = history.size[axis].saturating_sub(1);
+                let drag =
+                    DragValue::new(&mut pixel[axis]).range(0..=last).speed(0.1).prefix(format!("{name} "));
+                ui.add(drag.update_while_editing(false)).accessible_name(format!("{label} {name}"));
+            }
+        });
+    });
+    if pixel != history.pixel {
+        face.ask(Command::Pixel(pixel));
+    }
+}
+
+/// One entry; that of a fragment, counted from 0, goes to its step.
+fn show_entry(ui: &mut Ui, face: &Face<'_>, entry: &Entry, fragment: Option<usize>) {
     let look = face.look;
     let line = look.line_height(Text::Mono);
     let room = ui.available_width() - 56.0;
@@ -66,9 +94,18 @@ fn show_entry(ui: &mut Ui, face: &Face<'_>, entry: &Entry) {
         .map(|text| ui.painter().layout(text.clone(), look.font(Text::Listing), look.text, room));
     let details: Vec<_> = details.collect();
     let height = 14.0 + line + details.iter().map(|galley| galley.size().y + 3.0).sum::<f32>();
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
-    response
-        .widget_info(|| WidgetInfo::labeled(Part::Label, true, format!("{}: {}", entry.name, entry.reason)));
+    let sense = if fragment.is_some() { Sense::click() } else { Sense::hover() };
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), sense);
+    let part = if fragment.is_some() { Part::Button } else { Part::Label };
+    response.widget_info(|| WidgetInfo::labeled(part, true, format!("{}: {}", entry.name, entry.reason)));
+    if let Some(index) = fragment {
+        if response.clicked() {
+            face.ask(Command::ToFragment(index));
+        }
+        if response.hovered() || response.has_focus() {
+            ui.painter().rect_filled(rect, 0, look.raised);
+        }
+    }
     if !ui.is_rect_visible(rect) {
         return;
     }

@@ -61,7 +61,7 @@ fn happened(ui: &mut Ui, face: &Face<'_>, digest: &Digest) {
 }
 
 /// What just happened; what it is about is bold.
-fn sentence(ui: &mut Ui, face: &Face<'_>, pieces: &[Piece]) {
+pub(super) fn sentence(ui: &mut Ui, face: &Face<'_>, pieces: &[Piece]) {
     let look = face.look;
     let mut job = LayoutJob::default();
     job.wrap.max_width = ui.available_width();

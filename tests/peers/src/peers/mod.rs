@@ -2,14 +2,19 @@
 
 mod agg;
 mod clipper2;
+mod engine;
+mod euc;
 mod geo;
 mod i_overlay;
 mod line_clipping;
 mod parry;
 mod rasterscope;
+mod retrofire;
 mod s2;
+mod tiny_skia;
 
 use crate::{
+    frames::Painter,
     lines::{self, Segment, Sides},
     measure::Contender,
     polygons::{self, Polygon},
@@ -43,4 +48,16 @@ pub fn polygons(polygons: &[Polygon], window: Sides, list: &mut Polygons) {
 /// Binary32 is exact in binary64.
 fn wide(p: [f32; 2]) -> [f64; 2] {
     p.map(f64::from)
+}
+
+/// Makes one painter of frames anew.
+pub type Maker = Box<dyn Fn() -> Box<dyn Painter>>;
+
+/// Everybody who draws frames.
+pub fn painters() -> Vec<Maker> {
+    let mut makers = engine::painters();
+    makers.push(Box::new(euc::painter));
+    makers.push(Box::new(retrofire::painter));
+    makers.push(Box::new(tiny_skia::painter));
+    makers
 }

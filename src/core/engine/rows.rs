@@ -1,0 +1,156 @@
+//! The rows of a triangle in a tile: where each begins and ends, by intervals, and exactly where these leave two
+//! answers.
+
+use super::{
+    Stats,
+    canvas::TILE,
+    lanes::{LANES, Wide, greatest, integer, least, mask},
+    setup::Setup,
+};
+use crate::math::Tally;
+use crate::raster::{Edge, Edges};
+
+const WIDTH: f64 = TILE as f64;
+
+/// What is covered of [`LANES`] rows: the columns from `begin` to before `end`; empty rows have 0 and 0.
+#[derive(Clone, Copy)]
+pub(super) struct Rows {
+    pub(super) begin: [u32; LANES],
+    pub(super) end: [u32; LANES],
+    /// Around all of them.
+    pub(super) first: u32,
+    pub(super) last: u32,
+    /// In all of them; of rows that are not asked for nothing is.
+    pub(super) inner: [u32; 2],
+}
+
+/// Of rows `top..top + LANES`, those from `first` to before `last` are asked for.
+#[derive(Clone, Copy)]
+pub(super) struct Band {
+    pub(super) top: u32,
+    pub(super) first: u32,
+    pub(super) last: u32,
+}
+
+impl Rows {
+    /// The rows of the triangle in one lane of a set-up. `exact` makes its edges if they are needed.
+    #[inline(always)]
+    pub(super) fn new(
+        setup: &Setup,
+        lane: usize,
+        band: Band,
+        exact: impl Fn() -> Exact,
+        stats: &mut Stats,
+    ) -> Self {
+        let mut left = [[f64::NEG_INFINITY; LANES]; 2];
+        let mut right = [[f64::INFINITY; LANES]; 2];
+        let top = f64::from(band.top);
+        for crossings in &setup.edges {
+            let (y, slope) = (crossings.y[lane], crossings.slope[lane]);
+            let (l0, l1) = (crossings.left[0][lane], crossings.left[1][lane]);
+            let (r0, r1) = (crossings.right[0][lane], crossings.right[1][lane]);
+            for i in 0..LANES {
+                let along = (top + i as f64 - y) * slope;
+                left[0][i] = greatest(left[0][i], along + l0);
+                left[1][i] = greatest(left[1][i], along + l1);
+                right[0][i] = least(right[0][i], along + r0);
+                right[1][i] = least(right[1][i], along + r1);
+            }
+        }
+        let mut rows = Self { begin: [0; LANES], end: [0; LANES], first: 0, last: 0, inner: [0; 2] };
+        let [left_low, left_high] = [column(&left[0]), column(&left[1])];
+        let [right_low, right_high] = [column(&right[0]), column(&right[1])];
+        let mut doubt = 0;
+        for i in 0..LANES {
+            let row = band.top + i as u32;
+            let asked = mask(row.wrapping_sub(band.first) < band.last - band.first);
+            let differ = (left_low[i] ^ left_high[i]) | (right_low[i] ^ right_high[i]);
+            let some = asked & mask(left_high[i] < right_high[i]);
+            doubt |= differ & asked;
+            rows.begin[i] = left_high[i] & some;
+            rows.end[i] = right_high[i] & some;
+        }
+        if doubt != 0 {
+            rows = exact().rows(band, rows, [[left_low, left_high], [right_low, right_high]], stats);
+        }
+        rows.extent();
+        rows
+    }
+
+    #[inline(always)]
+    fn extent(&mut self) {
+        let (mut first, mut last) = (TILE as u32, 0);
+        let (mut begin, mut end) = (0, TILE as u32);
+        for i in 0..LANES {
+            let empty = mask(self.end[i] == 0);
+            first = first.min(self.begin[i] | empty);
+            last = last.max(self.end[i]);
+            begin = begin.max(self.begin[i]);
+            end = end.min(self.end[i]);
+        }
+        (self.first, self.last, self.inner) = (first, last, [begin, end]);
+    }
+}
+
+/// The first column at or behind a coordinate, within the tile or one past it.
+#[inline(always)]
+fn column(at: &Wide) -> [u32; LANES] {
+    let mut columns = [0; LANES];
+    for i in 0..LANES {
+        columns[i] = integer(least(greatest(at[i], 0.0), WIDTH).ceil());
+    }
+    columns
+}
+
+/// The edges of a triangle, for exact signs at the centres of a tile.
+pub(super) struct Exact {
+    pub(super) edges: Option<Edges>,
+    pub(super) origin: [u32; 2],
+}
+
+impl Exact {
+    /// The rows of a band, given the columns between which each of them begins and ends: where these differ, exact
+    /// signs decide.
+    #[cold]
+    #[inline(never)]
+    fn rows(&self, band: Band, mut rows: Rows, sides: [[[u32; LANES]; 2]; 2], stats: &mut Stats) -> Rows {
+        let Some(Edges(edges)) = &self.edges else { return rows };
+        for row in band.first.max(band.top)..band.last.min(band.top + LANES as u32) {
+            let i = (row - band.top) as usize;
+            let [left, right] = sides.map(|[low, high]| [low[i], high[i]]);
+            if left[0] == left[1] && right[0] == right[1] {
+                continue;
+            }
+            let (mut begin, mut end) = (left[0], right[1]);
+            for edge in edges.iter().filter(|edge| edge.ends[0][1] != edge.ends[1][1]) {
+                if edge.is_left() {
+                    begin = self.end(edge, row, [begin, left[1]], stats);
+                } else {
+                    end = self.end(edge, row, [right[0], end], stats);
+                }
+            }
+            let some = begin < end;
+            rows.begin[i] = if some { begin } else { 0 };
+            rows.end[i] = if some { end } else { 0 };
+        }
+        rows
+    }
+
+    /// The first column of a tile's row from which on an edge draws (a left one) or no longer draws, as far as
+    /// it lies within a range.
+    fn end(&self, edge: &Edge, row: u32, [mut low, mut high]: [u32; 2], stats: &mut Stats) -> u32 {
+        let y = (self.origin[1] + row) as f32 + 0.5;
+        while low < high {
+            let middle = low + (high - low) / 2;
+            let x = (self.origin[0] + middle) as f32 + 0.5;
+            stats.exact_signs += 1;
+            let side = edge.side([x, y], &mut Tally::default());
+            if edge.draws(side) == edge.is_left() {
+                high = middle;
+            } else {
+                low = middle + 1;
+            }
+        }
+        low
+    }
+}

@@ -1,0 +1,186 @@
+//! One tile: its colours, depths and stencil values in the first-level cache, and what is known of the depths of
+//! whole blocks.
+//!
+//! *Source:* Greene, Kass, Miller, Hierarchical Z-Buffer Visibility, SIGGRAPH 1993 (one level of it: blocks).
+
+use super::{
+    canvas::{Canvas, Clear, TILE},
+    lanes::LANES,
+};
+use std::ops::Range;
+
+const PIXELS: usize = TILE * TILE;
+
+/// Columns of a block; it has [`LANES`] rows.
+pub(super) const BLOCK: usize = 16;
+const ACROSS: usize = TILE / BLOCK;
+const BLOCKS: usize = ACROSS * (TILE / LANES);
+
+/// After so many pieces drawn in a block its farthest depth is looked for again.
+const PATIENCE: u8 = 4;
+
+/// Begins at a cache line, so that no row of a block lies in two.
+#[repr(align(64))]
+#[derive(Debug)]
+struct Aligned<T>(T);
+
+/// The pixels of a tile.
+#[derive(Debug)]
+pub(super) struct Tile {
+    color: Box<Aligned<[u32; PIXELS]>>,
+    depth: Box<Aligned<[f32; PIXELS]>>,
+    stencil: Box<[u8; PIXELS]>,
+    /// No pixel of a block is farther, and how many pieces were drawn there since that was found.
+    farthest: [f32; BLOCKS],
+    drawn: [u8; BLOCKS],
+}
+
+impl Default for Tile {
+    fn default() -> Self {
+        Self {
+            color: Box::new(Aligned([0; PIXELS])),
+            depth: Box::new(Aligned([0.0; PIXELS])),
+            stencil: Box::new([0; PIXELS]),
+            farthest: [0.0; BLOCKS],
+            drawn: [0; BLOCKS],
+        }
+    }
+}
+
+/// One pixel of a tile.
+pub(super) struct Pixel<'t> {
+    pub(super) color: &'t mut u32,
+    pub(super) depth: &'t mut f32,
+    pub(super) stencil: &'t mut u8,
+}
+
+impl Tile {
+    /// Makes all pixels empty.
+    pub(super) fn clear(&mut self, clear: &Clear) {
+        self.color.0.fill(u32::from_ne_bytes(clear.color));
+        self.depth.0.fill(clear.depth);
+        self.stencil.fill(clear.stencil);
+        (self.farthest, self.drawn) = ([clear.depth; BLOCKS], [0; BLOCKS]);
+    }
+
+    /// Takes the pixels of a canvas; `origin` is the first.
+    pub(super) fn load(&mut self, canvas: &Canvas, origin: [u32; 2]) {
+        for (range, at) in spans(canvas, origin) {
+            let color = self.color.0[at..].iter_mut().zip(&canvas.color[range.clone()]);
+            color.for_each(|(pixel, codes)| *pixel = u32::from_ne_bytes(*codes));
+            self.depth.0[at..at + range.len()].copy_from_slice(&canvas.depth[range.clone()]);
+            if let Some(stencil) = canvas.stencil.get(range.clone()) {
+                self.stencil[at..at + range.len()].copy_from_slice(stencil);
+            }
+        }
+        (self.farthest, self.drawn) = ([f32::INFINITY; BLOCKS], [PATIENCE; BLOCKS]);
+    }
+
+    /// Gives them back.
+    pub(super) fn store(&self, canvas: &mut Canvas, origin: [u32; 2]) {
+        for (range, at) in spans(canvas, origin) {
+            let color = canvas.color[range.clone()].iter_mut().zip(&self.color.0[at..]);
+            color.for_each(|(codes, pixel)| *codes = pixel.to_ne_bytes());
+            canvas.depth[range.clone()].copy_from_slice(&self.depth.0[at..at + range.len()]);
+            if let Some(stencil) = canvas.stencil.get_mut(range.clone()) {
+                stencil.copy_from_slice(&self.stencil[at..at + range.len()]);
+            }
+        }
+    }
+
+    /// Counts what is drawn in the blocks from column `x` on: what is known of them grows old.
+    #[inline(always)]
+    pub(super) fn age(&mut self, x: usize, y: usize) {
+        for x in [x, x + BLOCK - 1] {
+            let drawn = &mut self.drawn[block_at(x, y)];
+            *drawn = drawn.saturating_add(1);
+        }
+    }
+
+    /// One row of a block, or of another place as wide: depths and colours.
+    #[inline(always)]
+    pub(super) fn row(&mut self, x: usize, y: usize) -> (&mut [f32; BLOCK], &mut [u32; BLOCK]) {
+        const LAST: usize = PIXELS - BLOCK;
+        let at = (y * TILE + x).min(LAST);
+        let depths = &mut self.depth.0[at..at + BLOCK].as_chunks_mut().0[0];
+        let colors = &mut self.color.0[at..at + BLOCK].as_chunks_mut().0[0];
+        (depths, colors)
+    }
+
+    /// One pixel.
+    pub(super) fn pixel(&mut self, x: usize, y: usize) -> Pixel<'_> {
+        let at = y * TILE + x;
+        Pixel { color: &mut self.color.0[at], depth: &mut self.depth.0[at], stencil: &mut self.stencil[at] }
+    }
+
+    /// No pixel is farther than this in the block with a pixel at (x, y).
+    #[inline(always)]
+    pub(super) fn farthest(&mut self, x: usize, y: usize) -> f32 {
+        let block = block_at(x, y);
+        if self.drawn[block] >= PATIENCE {
+            self.drawn[block] = 0;
+            let mut farthest = [f32::NEG_INFINITY; BLOCK];
+            for row in 0..LANES {
+                let depths = *self.row(x & !(BLOCK - 1), y / LANES * LANES + row).0;
+                for i in 0..BLOCK {
+                    farthest[i] = greatest(farthest[i], depths[i]);
+                }
+            }
+            self.farthest[block] = greatest_of(&farthest);
+        }
+        self.farthest[block]
+    }
+
+    /// No pixel of the tile is farther than this.
+    #[inline(always)]
+    pub(super) fn farthest_of_all(&self) -> f32 {
+        let mut farthest = [f32::NEG_INFINITY; BLOCK];
+        for blocks in self.farthest.as_chunks::<BLOCK>().0 {
+            for i in 0..BLOCK {
+                farthest[i] = greatest(farthest[i], blocks[i]);
+            }
+        }
+        greatest_of(&farthest)
+    }
+
+    /// From now on no pixel of the block is farther than `depth`.
+    #[inline(always)]
+    pub(super) fn bring(&mut self, x: usize, y: usize, depth: f32) {
+        let farthest = &mut self.farthest[block_at(x, y)];
+        *farthest = if depth < *farthest { depth } else { *farthest };
+    }
+}
+
+#[inline(always)]
+fn greatest(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// By halves, so that it is done in lanes.
+#[inline(always)]
+fn greatest_of(values: &[f32; BLOCK]) -> f32 {
+    let (mut eight, mut four) = ([0.0; 8], [0.0; 4]);
+    for i in 0..8 {
+        eight[i] = greatest(values[i], values[i + 8]);
+    }
+    for i in 0..4 {
+        four[i] = greatest(eight[i], eight[i + 4]);
+    }
+    greatest(greatest(four[0], four[1]), greatest(four[2], four[3]))
+}
+
+#[inline(always)]
+fn block_at(x: usize, y: usize) -> usize {
+    (y / LANES * ACROSS + x / BLOCK) % BLOCKS
+}
+
+/// The rows of a canvas in a tile: where they lie in the canvas and where in the tile.
+fn spans(canvas: &Canvas, [x, y]: [u32; 2]) -> impl Iterator<Item = (Range<usize>, usize)> + use<> {
+    let [width, height] = canvas.size.map(|pixels| pixels as usize);
+    let (x, y) = (x as usize, y as usize);
+    let columns = TILE.min(width - x);
+    (0..TILE.min(height - y)).map(move |row| {
+        let at = (y + row) * width + x;
+        (at..at + columns, row * TILE)
+    })
+}

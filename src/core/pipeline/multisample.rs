@@ -1,0 +1,162 @@
+//! Several samples a pixel: each has its own colour, depth and stencil value, and the image shows their mean.
+//!
+//! *Source:* Direct3D 11.3 functional specification, sections 3.5.4 and 3.5.5. A pixel is shaded once: at its
+//! centre if all samples are covered, else at the first one that is, so never outside the triangle.
+
+use super::{
+    Frame, Skip,
+    fragments::{FragmentState, ImageState, Paint, Target},
+    shader::Shader,
+};
+use crate::{
+    depth::{DepthFormat, DepthPlane, DepthState},
+    math::{Arithmetic, Tally},
+    raster::{Samples, Span, cover_samples, edge::centre},
+    stencil::StencilOutcome,
+};
+use std::ops::Range;
+
+/// What one sample holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Sample {
+    color: [u8; 4],
+    depth: u32,
+    stencil: u8,
+}
+
+/// The samples of all pixels, pixel by pixel.
+#[derive(Debug)]
+pub(super) struct Multisample {
+    /// How many a pixel has.
+    count: usize,
+    samples: Vec<Sample>,
+}
+
+impl Multisample {
+    pub(super) fn new(state: &ImageState, depth: u32, pixels: usize) -> Self {
+        let count = state.samples.count() as usize;
+        Self { count, samples: vec![cleared(state, depth); count * pixels] }
+    }
+
+    /// Clears a range of pixels.
+    pub(super) fn clear(&mut self, pixels: Range<usize>, state: &ImageState, depth: u32) {
+        self.samples[self.count * pixels.start..self.count * pixels.end].fill(cleared(state, depth));
+    }
+
+    fn pixel(&self, index: usize) -> &[Sample] {
+        &self.samples[self.count * index..self.count * (index + 1)]
+    }
+
+    fn pixel_mut(&mut self, index: usize) -> &mut [Sample] {
+        &mut self.samples[self.count * index..self.count * (index + 1)]
+    }
+}
+
+fn cleared(state: &ImageState, depth: u32) -> Sample {
+    Sample { color: state.clear_color(), depth, stencil: state.clear.stencil }
+}
+
+/// A triangle that is drawn, with what all its pixels share.
+struct Drawn<'d> {
+    shader: &'d Shader,
+    state: &'d FragmentState,
+    depths: DepthPlane,
+    image: ImageState,
+}
+
+impl Drawn<'_> {
+    /// The pixel's colour, where its shade is computed.
+    fn paint(&self, pixel: [u32; 2], mask: u8, tally: &mut Tally) -> Paint<'_> {
+        let Self { shader, state, image, .. } = self;
+        let point = if mask == image.samples.full() {
+            centre(pixel[0], pixel[1])
+        } else {
+            image.samples.point(pixel, mask.trailing_zeros() as usize, image.y_axis)
+        };
+        Paint::at_point(shader, state, point, tally)
+    }
+
+    /// Stencil and depth of one sample.
+    fn test(&self, pixel: [u32; 2], index: usize, sample: &mut Sample, tally: &mut Tally) -> StencilOutcome {
+        let Self { state, depths, image, .. } = self;
+        let point = image.samples.point(pixel, index, image.y_axis);
+        let (format, depth_state): (DepthFormat, DepthState) = (image.format, state.depth);
+        let Sample { depth, stencil, .. } = sample;
+        state.test(stencil, || format.test(depth_state, depths.code_at(point, format, tally), depth))
+    }
+}
+
+impl Target {
+    /// A triangle with several samples a pixel.
+    pub(super) fn sampled_triangle(
+        &mut self,
+        corners: [[f32; 4]; 3],
+        shader: &Shader,
+        state: &FragmentState,
+    ) {
+        let image = self.state;
+        let mut tally = Tally::default();
+        let depths = DepthPlane::new(corners.map(|[x, y, z, _]| [x, y, z]), Arithmetic::Exact, &mut tally);
+        let drawn = Drawn { shader, state, depths, image };
+        let (vertices, settings) = (corners.map(|[x, y, ..]| [x, y]), image.settings());
+        let mut row = None;
+        cover_samples(vertices, image.samples, &settings, &mut tally, &mut |pixel, mask| {
+            if row != Some(pixel[1]) {
+                row = Some(pixel[1]);
+                self.counts.spans += 1;
+            }
+            self.sampled_pixel(pixel, mask, &drawn);
+        });
+        self.counts.tally += tally;
+    }
+
+    fn sampled_pixel(&mut self, pixel: [u32; 2], mask: u8, drawn: &Drawn<'_>) {
+        let [x, y] = pixel;
+        self.touch(Span { y, begin: x, end: x + 1 });
+        let index = y as usize * self.state.size[0] as usize + x as usize;
+        let Self { state: image, multisample, counts, written, .. } = self;
+        let Some(multisample) = multisample else { return };
+        counts.fragments += 1;
+        let early = image.skips.has(Skip::EarlyZ);
+        let tally = &mut counts.tally;
+        let mut paint = if early { None } else { Some(drawn.paint(pixel, mask, tally)) };
+        let (mut passed, mut reached_depth) = (false, false);
+        let samples = multisample.pixel_mut(index).iter_mut().enumerate();
+        for (i, sample) in samples.filter(|(i, _)| mask & 1 << i != 0) {
+            let outcome = drawn.test(pixel, i, sample, tally);
+            reached_depth |= outcome != StencilOutcome::Fail;
+            if outcome == StencilOutcome::Pass {
+                passed = true;
+                let paint = paint.get_or_insert_with(|| drawn.paint(pixel, mask, tally));
+                sample.color = paint.over(sample.color, drawn.state, tally);
+            }
+        }
+        if passed {
+            counts.redrawn += u64::from(std::mem::replace(&mut written[index], true));
+        } else {
+            counts.failed += 1;
+            counts.stencil_failed += u64::from(!reached_depth);
+            counts.never_colored += u64::from(early);
+        }
+    }
+
+    /// Writes the mean of each pixel's samples to the frame, and depth and stencil of the first one.
+    pub(super) fn resolve(&mut self, frame: &mut Frame) {
+        let Self { multisample: Some(multisample), depth, touched, state, .. } = self else { return };
+        for (y, columns) in (0..).zip(&*touched) {
+            for x in columns.clone() {
+                let index = frame.index([x, y]);
+                let samples = multisample.pixel(index);
+                for channel in 0..4 {
+                    let mut codes = [0; Samples::MOST];
+                    for (code, sample) in codes.iter_mut().zip(samples) {
+                        *code = sample.color[channel];
+                    }
+                    frame.color[4 * index + channel] = state.samples.resolve(&codes);
+                }
+                depth.fill(index..index + 1, samples[0].depth);
+                frame.stencil[index] = samples[0].stencil;
+            }
+        }
+    }
+}

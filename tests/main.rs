@@ -3,6 +3,7 @@
 
 mod area_ratios;
 mod back_face;
+mod bench;
 mod blend;
 mod bvh;
 mod cli;

@@ -2,6 +2,7 @@
 
 use clap::{Arg, ArgAction, ArgMatches, Command, builder::PossibleValuesParser, value_parser};
 use rasterscope_cli::{
+    bench::BenchOptions,
     figure::{self, AnimateOptions, FigureOptions},
     tour::TourOptions,
     trace::{TraceFormat, TraceOptions},
@@ -27,6 +28,8 @@ pub(crate) enum Request {
     Animate(FigureOptions, AnimateOptions),
     /// The page.
     Tour(TourOptions),
+    /// Run time against error.
+    Bench(BenchOptions),
     /// What there is.
     List,
 }
@@ -117,6 +120,28 @@ fn command(words: &Words) -> Command {
                 .arg(output("app-figure-output")),
         )
         .subcommand(sub("tour", "app-tour").arg(path("file", "app-tour-file")).arg(output("app-tour-output")))
+        .subcommand(
+            sub("bench", "app-bench")
+                .arg(
+                    Arg::new("what")
+                        .value_name("claims")
+                        .help(words.word("app-bench-claims"))
+                        .value_parser(names(&["claims"])),
+                )
+                .arg(
+                    Arg::new("json")
+                        .long("json")
+                        .help(words.word("app-bench-json"))
+                        .action(ArgAction::SetTrue),
+                )
+                .arg(
+                    Arg::new("rounds")
+                        .long("rounds")
+                        .value_name("N")
+                        .help(words.word("app-bench-rounds"))
+                        .value_parser(value_parser!(u32).range(1..=10_000)),
+                ),
+        )
         .subcommand(sub("list", "app-list"))
 }
 
@@ -163,6 +188,11 @@ fn request(matches: &ArgMatches) -> Request {
         "tour" => Request::Tour(TourOptions {
             file: path(matches, "file"),
             output: path(matches, "output").unwrap_or_default(),
+        }),
+        "bench" => Request::Bench(BenchOptions {
+            claims: matches.contains_id("what"),
+            json: matches.get_flag("json"),
+            rounds: matches.get_one("rounds").copied().unwrap_or(BenchOptions::ROUNDS),
         }),
         _ => Request::List,
     }

@@ -10,7 +10,7 @@ mod window;
 
 use arguments::Request;
 use rasterscope_cli::{
-    Failure, compute, figure, files, list,
+    Failure, bench, compute, figure, files, list,
     tour::{self, TourOptions},
     trace,
 };
@@ -39,6 +39,7 @@ fn main() -> ExitCode {
             with_progress(|progress| figure::animate(&options, film, progress))
         }
         Request::Tour(options) => write_tour(&options).map(|_| ()),
+        Request::Bench(options) => with_progress(|progress| bench::bench(&options, output, progress)),
         Request::List => list::list(output),
     };
     finish(done)

@@ -1,10 +1,12 @@
-//! All of Rasterscope that works without a window: `compute`, `trace`, `figure`, `tour`, `list`.
+//! All of Rasterscope that works without a window: `compute`, `trace`, `figure`, `tour`, `bench`,
+//! `list`.
 //!
 //! Each command is a function that takes its options and the streams it writes to, and returns a
 //! [`Failure`] that holds one sentence and the exit code. Files are read and written only in
-//! `files`. Nothing here opens a window, uses the network or reads a clock.
+//! `files`. Nothing here opens a window or uses the network, and only `bench` reads a clock.
 #![forbid(unsafe_code)]
 
+pub mod bench;
 pub mod compute;
 mod failure;
 pub mod figure;

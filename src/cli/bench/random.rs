@@ -1,0 +1,46 @@
+//! Inputs that are the same on every run and machine.
+
+/// SplitMix64.
+///
+/// *Source:* Steele, Lea and Flood, Fast Splittable Pseudorandom Number Generators, 2014.
+pub(super) struct Random(u64);
+
+impl Random {
+    pub(super) fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        mixed ^ (mixed >> 31)
+    }
+
+    /// Uniform in `0..n`.
+    pub(super) fn below(&mut self, n: usize) -> usize {
+        ((u128::from(self.bits()) * n as u128) >> 64) as usize
+    }
+
+    /// One of some.
+    pub(super) fn pick<T: Copy>(&mut self, from: &[T]) -> T {
+        from[self.below(from.len())]
+    }
+
+    /// Uniform in `low..high`, rounded to binary32.
+    pub(super) fn uniform(&mut self, low: f64, high: f64) -> f32 {
+        (low + (high - low) * (self.bits() >> 11) as f64 / (1_u64 << 53) as f64) as f32
+    }
+
+    /// 10 to the power of something between `low` and `high`, of either sign.
+    pub(super) fn magnitude(&mut self, low: f64, high: f64) -> f32 {
+        let size = libm::exp10(f64::from(self.uniform(low, high))) as f32;
+        if self.below(2) == 0 { size } else { -size }
+    }
+
+    /// `value`, or a number up to two steps beside it.
+    pub(super) fn beside(&mut self, value: f32) -> f32 {
+        let (up, down) = (value.next_up(), value.next_down());
+        self.pick(&[value, up, up.next_up(), down, down.next_down()])
+    }
+}

@@ -120,7 +120,7 @@ fn a_reader_that_leaves_ends_the_work_early_and_sees_whole_tables() {
     bench(&options, &mut reader, Some(&mut terminal)).expect("no failure");
     let text = String::from_utf8(reader.read).expect("text");
     assert_eq!(text.lines().count(), 12);
-    for part in ["\nLine clipping, ordinary\n", "ns a segment", "cohen-sutherland, exact, fast call"] {
+    for part in ["\nLine clipping, ordinary\n", "ns a segment", "at-once, exact, fast call"] {
         assert!(text.contains(part), "{part:?} in\n{text}");
     }
     let terminal = String::from_utf8(terminal).expect("text");

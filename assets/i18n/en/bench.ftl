@@ -43,7 +43,7 @@ bench-verdict-under-a-condition = It holds under a condition.
 bench-verdict-does-not-hold = It does not hold.
 
 bench-claim-culling-removes-half = Back-face culling removes about half of the triangles.
-bench-claim-culling-removes-half-here = Of a closed model about half face away; the fewer triangles, the farther from half it can be.
+bench-claim-culling-removes-half-here = Of a closed model about half face away; of a round one near the eye, more.
 bench-claim-cull-before-clipping = It pays to cull before clipping.
 bench-claim-cull-before-clipping-here = The whole frame is timed: what culling late adds is lost where pixels take most of the time.
 bench-claim-outcodes-when-outside = Cohen-Sutherland is efficient when most lines are outside.
@@ -59,7 +59,7 @@ bench-claim-fixed-point-is-enough-here = Enough means that fewer than 1000 pixel
 bench-claim-additions-are-cheap = Incremental additions make a pixel cheap.
 bench-claim-additions-are-cheap-here = Slopes need two ends a row, edge functions three tests a pixel; both in binary32.
 bench-claim-row-coherence = Coherence along a row saves depth work.
-bench-claim-row-coherence-here = What a row shares is computed once; the depths are the same, bit for bit.
+bench-claim-row-coherence-here = What a row shares is computed once, which rows of a few pixels do not earn back. The depths are the same, bit for bit.
 
 bench-series-back-facing-share = Share facing away
 bench-series-late-by-early = Time of culling late, by that of early

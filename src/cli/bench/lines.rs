@@ -2,7 +2,7 @@
 
 use rasterscope_core::{
     clip::line::{
-        ConvexWindow, Segment, Window, cohen_sutherland, cyrus_beck, liang_barsky, midpoint,
+        self, ConvexWindow, Segment, Window, cohen_sutherland, cyrus_beck, liang_barsky, midpoint,
         nicholl_lee_nicholl,
     },
     math::{Arithmetic, Tally},
@@ -94,10 +94,7 @@ pub(super) fn run(family: Family, rounds: u32) -> Vec<Row> {
     let Some(window) = Window::new(sides) else { return Vec::new() };
     let (segments, convex) = (&segments(family, sides), ConvexWindow::from(window));
     let (window, convex) = (&window, &convex);
-    let mut contenders = vec![
-        Contender::fast("cohen-sutherland", segments, move |s| cohen_sutherland::clip(*s, window)),
-        Contender::fast("liang-barsky", segments, move |s| liang_barsky::clip(*s, window)),
-    ];
+    let mut contenders = vec![Contender::fast("at-once", segments, move |s| line::clip(*s, window))];
     for arithmetic in [Arithmetic::Exact, Arithmetic::F32, Arithmetic::F64] {
         let text = |name, clip: fn(Segment, &Window, Arithmetic, &mut Tally) -> Option<Segment>| {
             Contender::text(name, arithmetic, segments, move |s, tally| clip(*s, window, arithmetic, tally))
@@ -116,7 +113,7 @@ pub(super) fn run(family: Family, rounds: u32) -> Vec<Row> {
             }),
         ]);
     }
-    // The fast calls decide in another way, so they and this check each other.
+    // The fast call decides in another way, so that it and this check each other.
     let exact = |s: &Segment| with_parameters(*s, window, Arithmetic::Exact, &mut Tally::default());
     let exact = segments.iter().map(exact).collect();
     Heat { stage: STAGE, family, items: COUNT, item: "segment", contenders, exact }.run(rounds)

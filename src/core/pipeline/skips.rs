@@ -14,13 +14,15 @@ pub enum Skip {
     BackFace,
     /// Triangles without area as seen from the eye: dropped before clipping instead of at the fragments.
     Degenerate,
-    /// Tiles that a triangle does not touch or covers wholly. No rasterizer here has tiles yet.
+    /// Tiles that a triangle does not touch or covers wholly. The pipeline draws by scan line, which has
+    /// none: accepted, and leaves nothing out.
     Tile,
     /// Pixels of a row behind the triangle's last one.
     Row,
     /// Colours of fragments that fail the stencil or depth test.
     EarlyZ,
-    /// Tiles in which a triangle lies behind all that is drawn. There is no pyramid of depths yet.
+    /// Tiles in which a triangle lies behind all that is drawn. The pipeline keeps no
+    /// pyramid of depths: accepted, and leaves nothing out.
     HierarchicalZ,
     /// Clearing pixels that the image before did not touch.
     Clear,

@@ -6,10 +6,12 @@
 #![expect(clippy::print_stdout, reason = "it prints a table")]
 
 use rasterscope_core::{
+    blend::Mode,
     labs::Stage,
     pipeline::{Frame, Pipeline, Skips, render},
     raster::Algorithm,
-    scene::{Geometry, MODEL_SIZE, Mesh, Scene, preset, scene_from_obj},
+    stencil::{StencilOperation, StencilState},
+    scene::{Draw, Geometry, MODEL_SIZE, Mesh, Scene, preset, scene_from_obj},
 };
 use std::{
     hint::black_box,
@@ -83,6 +85,37 @@ fn first_image(path: String) -> Row {
     })
 }
 
+/// One step of an orbit around a model, as dragging the camera asks for it.
+fn orbit(path: String, what: &str, change: impl Fn(&mut Draw)) -> Row {
+    let bytes = std::fs::read(&path).expect("the model can be read");
+    let mesh = Mesh::from_obj(&bytes).expect("the model is right");
+    let mut scene = scene_from_obj("model.obj", mesh, MODEL_SIZE);
+    scene.draws.iter_mut().for_each(change);
+    let [x, y, z] = scene.camera.eye;
+    let eyes = [[x, y, z], [x + 0.02 * z, y, z]];
+    let expected = eyes.map(|eye| {
+        scene.camera.eye = eye;
+        render(&scene, &Skips::NONE)
+    });
+    assert!(!expected[0].same_image(&expected[1]), "the orbit must show");
+    let mut pipeline = Pipeline::default();
+    let mut turn = 0;
+    Row::new(format!("orbit, {what}, 1280x720, {path}"), move || {
+        turn = 1 - turn;
+        scene.camera.eye = eyes[turn];
+        let start = Instant::now();
+        black_box(pipeline.update(&scene, &Skips::ALL));
+        let time = start.elapsed();
+        assert!(pipeline.outputs().frame.same_image(&expected[turn]));
+        time
+    })
+}
+
+/// Every pixel drawn counts one.
+fn counting() -> StencilState {
+    StencilState { pass_op: StencilOperation::IncrementClamp, ..StencilState::default() }
+}
+
 fn main() {
     let mut rows = Vec::new();
     for size in [[36, 24], MODEL_SIZE] {
@@ -92,6 +125,11 @@ fn main() {
     }
     // Cargo passes `--bench`; everything else names a model.
     rows.extend(std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).map(first_image));
+    for path in std::env::args().skip(1).filter(|arg| !arg.starts_with('-')) {
+        rows.push(orbit(path.clone(), "depth", |_| ()));
+        rows.push(orbit(path.clone(), "stencil", |draw| draw.stencil = Some(counting())));
+        rows.push(orbit(path, "blending", |draw| draw.blend = Some(Mode::Over.state())));
+    }
     for _ in 0..ROUNDS {
         for row in &mut rows {
             row.times.push((row.run)());

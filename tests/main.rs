@@ -56,4 +56,5 @@ mod tour;
 mod transform;
 mod traversals;
 mod weiler_atherton;
+mod whole_images;
 mod z_buffer;

@@ -20,7 +20,6 @@ use rasterscope_core::{
     labs::Stage,
     message::{Message, Value},
     pipeline::{Pipeline, Skips, Unit},
-    raster::Algorithm,
     scene::Scene,
 };
 use rasterscope_figure::{numbers as written, theme::ThemeName};
@@ -75,7 +74,7 @@ fn in_words(text: &str) -> String {
 /// The whole page.
 fn page_of(scene: &Scene, title: String, progress: Option<&mut dyn Write>) -> String {
     let mut progress = Progress(progress);
-    let mut pipeline = Pipeline::new(Algorithm::Scanline);
+    let mut pipeline = Pipeline::default();
     let outputs = pipeline.update(scene, &Skips::ALL);
     let subject = Subject { scene, outputs, theme: ThemeName::Light.theme() };
     let mut body = header(&subject, &title);

@@ -14,7 +14,7 @@ use super::{
 pub(super) struct Entry {
     /// Vertices: x and y in pixels, depth.
     pub(super) corners: [[f32; 3]; 3],
-    /// Its colour codes.
+    /// Its colour codes, or its number from 1 if they are painted.
     pub(super) color: u32,
 }
 
@@ -42,7 +42,13 @@ impl Bins {
     /// Sorts all triangles in. One with a coordinate that is no number, or whose box holds no pixel's centre,
     /// is in no list.
     #[inline(always)]
-    pub(super) fn fill(&mut self, triangles: &Triangles<'_>, size: [u32; 2], stats: &mut Stats) {
+    pub(super) fn fill(
+        &mut self,
+        triangles: &Triangles<'_>,
+        size: [u32; 2],
+        numbers: bool,
+        stats: &mut Stats,
+    ) {
         let limit = size.map(|pixels| pixels as f32);
         let count = triangles.len();
         for start in (0..count).step_by(LANES) {
@@ -64,7 +70,9 @@ impl Bins {
                     stats.culled += 1;
                     continue;
                 }
-                let entry = Entry { corners: corners[lane], color: triangles.color(start + lane) };
+                let triangle = start + lane;
+                let color = if numbers { triangle as u32 + 1 } else { triangles.color(triangle) };
+                let entry = Entry { corners: corners[lane], color };
                 for row in top..=bottom {
                     for list in &mut self.lists[row * self.columns..][left..=right] {
                         list.push(entry);

@@ -8,7 +8,7 @@ pub(super) const TILE: usize = 64;
 pub struct Clear {
     /// Red, green, blue, alpha codes.
     pub color: [u8; 4],
-    /// Depth.
+    /// Depth, as it is stored.
     pub depth: f32,
     /// Stencil value.
     pub stencil: u8,
@@ -30,17 +30,20 @@ impl Clear {
     }
 }
 
-/// An image with depths and, if wanted, stencil values, row by row from row 0.
+/// An image with depths and, if wanted, stencil values, row by row from row 0. Depths of unorm formats are stored as
+/// their codes, whole numbers.
 #[derive(Clone, Debug)]
 pub struct Canvas {
     pub(super) size: [u32; 2],
-    pub(super) color: Vec<[u8; 4]>,
+    pub(super) color: Vec<u8>,
     pub(super) depth: Vec<f32>,
     /// Empty if there is no stencil.
     pub(super) stencil: Vec<u8>,
     /// For each tile, row by row, whether it holds `cleared` and nothing else.
     pub(super) clean: Vec<bool>,
     pub(super) cleared: Clear,
+    /// For each row of each tile, which of its pixels were painted since they were cleared.
+    pub(super) painted: Vec<[u64; TILE]>,
 }
 
 impl Canvas {
@@ -52,34 +55,39 @@ impl Canvas {
             Stencil::Without => Vec::new(),
             Stencil::With => vec![clear.stencil; pixels],
         };
-        let mut canvas = Self::around(size, vec![clear.color; pixels], vec![clear.depth; pixels], stencil);
+        let mut canvas = Self::around(size, clear.color.repeat(pixels), vec![clear.depth; pixels], stencil);
         canvas.clean.fill(true);
         canvas.cleared = clear;
         canvas
     }
 
     /// Takes over buffers and what they hold; an empty `stencil` is none. `None` if a length is not the
-    /// product of width and height.
-    pub fn from_parts(
-        size: [u32; 2],
-        color: Vec<[u8; 4]>,
-        depth: Vec<f32>,
-        stencil: Vec<u8>,
-    ) -> Option<Self> {
+    /// product of width and height, or four times that of the colours' bytes.
+    pub fn from_parts(size: [u32; 2], color: Vec<u8>, depth: Vec<f32>, stencil: Vec<u8>) -> Option<Self> {
         let pixels = size[0] as usize * size[1] as usize;
-        let fits =
-            color.len() == pixels && depth.len() == pixels && (stencil.is_empty() || stencil.len() == pixels);
+        let fits = color.len() == 4 * pixels
+            && depth.len() == pixels
+            && (stencil.is_empty() || stencil.len() == pixels);
         fits.then(|| Self::around(size, color, depth, stencil))
     }
 
-    fn around(size: [u32; 2], color: Vec<[u8; 4]>, depth: Vec<f32>, stencil: Vec<u8>) -> Self {
+    fn around(size: [u32; 2], color: Vec<u8>, depth: Vec<f32>, stencil: Vec<u8>) -> Self {
         let [columns, rows] = tiles(size);
-        Self { size, color, depth, stencil, clean: vec![false; columns * rows], cleared: Clear::default() }
+        let tiles = columns * rows;
+        let (clean, painted) = (vec![false; tiles], vec![[0; TILE]; tiles]);
+        Self { size, color, depth, stencil, clean, cleared: Clear::default(), painted }
     }
 
     /// Gives the colours, depths and stencil values back.
-    pub fn into_parts(self) -> (Vec<[u8; 4]>, Vec<f32>, Vec<u8>) {
+    pub fn into_parts(self) -> (Vec<u8>, Vec<f32>, Vec<u8>) {
         (self.color, self.depth, self.stencil)
+    }
+
+    /// Swaps the buffers with others of the same lengths, which hold the same.
+    pub(crate) fn swap(&mut self, color: &mut Vec<u8>, depth: &mut Vec<f32>, stencil: &mut Vec<u8>) {
+        std::mem::swap(&mut self.color, color);
+        std::mem::swap(&mut self.depth, depth);
+        std::mem::swap(&mut self.stencil, stencil);
     }
 
     /// Width and height in pixels.
@@ -89,7 +97,7 @@ impl Canvas {
 
     /// Red, green, blue, alpha codes of each pixel.
     pub fn color(&self) -> &[[u8; 4]] {
-        &self.color
+        self.color.as_chunks().0
     }
 
     /// The depth of each pixel.

@@ -18,7 +18,6 @@ use rasterscope_core::{
     explain::{Mark, View},
     memo::Memo,
     pipeline::{Pipeline, Skips, Stats, pixel_history},
-    raster::Algorithm,
     scene::Scene,
 };
 use rasterscope_figure::{orbit::Orbit, tables::TextTable, theme::ThemeName, words::Words};
@@ -80,7 +79,7 @@ impl Default for Overview {
 impl Overview {
     /// A pipeline that has seen nothing.
     pub(crate) fn pipeline() -> Pipeline {
-        Pipeline::new(Algorithm::Scanline)
+        Pipeline::default()
     }
 
     /// Whether everything is up to date with a scene; which lab is open makes no difference.

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::{
     Bounding, Skip, Skips, Stats,
+    lit::{Lit, Varyings},
     stages::{self, Clipped, CullKey, Culled, Fate, Point},
     stats::Reason,
 };
@@ -12,6 +13,7 @@ use crate::{
     cull::{Facing, bvh::Aabb, frustum::Bounds, object_frustum::Body, planes::Volume},
     memo::{Memo, Rev},
     scene::{Draw, Mesh, Scene, Shade},
+    shade::{Illumination, Light, Material},
     stage::Stage,
     transform::{Camera, DepthRange, Matrix, Viewport, apply, chain::model_matrix, divide},
 };
@@ -70,6 +72,9 @@ pub(super) struct Shared<'s> {
     pub(super) skips: Skips,
 }
 
+/// What light depends on: vertices, mesh and model matrix, and how, from where and by what it is lit.
+type LitKey = ((u64, u64, Matrix), (Shade, Camera), (Vec<Light>, Material));
+
 /// What the stages made of one draw.
 #[derive(Debug, Default)]
 pub struct DrawOutputs {
@@ -84,10 +89,10 @@ pub struct DrawOutputs {
     view: Kept<(u64, Matrix), Vec<Point>>,
     clip: Kept<(u64, Matrix), Vec<Point>>,
     cull: Kept<(u64, u64, CullKey), Culled>,
-    polygons: Kept<(u64, u64, u64, DepthRange), Clipped>,
+    polygons: Kept<(u64, u64, [u64; 2], DepthRange), Clipped>,
     ndc: Kept<u64, Vec<Point>>,
     screen: Kept<(u64, Viewport), Vec<Point>>,
-    shade: Kept<(u64, u64, Shade, Camera), Vec<f32>>,
+    lit: Kept<LitKey, Lit>,
 }
 
 impl DrawOutputs {
@@ -142,9 +147,14 @@ impl DrawOutputs {
         self.screen.out.get()
     }
 
-    /// One factor for each triangle of the mesh, or none at all.
-    pub fn shade(&self) -> &[f32] {
-        self.shade.out.get()
+    /// The light on it.
+    pub fn lit(&self) -> &Lit {
+        self.lit.out.get()
+    }
+
+    /// What is interpolated over its triangles.
+    pub(super) fn varyings(&self) -> Varyings<'_> {
+        Varyings::new(&self.mesh, self.lit())
     }
 
     /// How often each stage has run.
@@ -157,13 +167,13 @@ impl DrawOutputs {
             polygons: self.polygons.memo.runs(),
             divide: self.ndc.memo.runs(),
             viewport: self.screen.memo.runs(),
-            shade: self.shade.memo.runs(),
+            shade: self.lit.memo.runs(),
         }
     }
 
     /// What the image depends on.
     pub(super) fn revisions(&self) -> [u64; 3] {
-        [self.polygons.out.rev(), self.screen.out.rev(), self.shade.out.rev()]
+        [self.polygons.out.rev(), self.screen.out.rev(), self.lit.out.rev()]
     }
 
     /// Takes the draw's mesh and place, and what stands for the object in the frustum test.
@@ -213,9 +223,18 @@ impl DrawOutputs {
         let clip = &self.clip.out;
         let key = CullKey::new(draw, shared.scene.depth_range, shared.skips);
         self.cull.update((clip.rev(), self.mesh_rev, key), || stages::cull(&key, clip.get(), mesh));
-        let cull = &self.cull.out;
-        self.polygons.update((clip.rev(), cull.rev(), self.mesh_rev, key.range), || {
-            stages::clip(cull.get(), clip.get(), mesh, key.range)
+        let Scene { camera, lights, .. } = shared.scene;
+        let lit = (draw.shade, *camera);
+        self.lit.update(((world.rev(), self.mesh_rev, model), lit, (lights.clone(), draw.material)), || {
+            let illumination = Illumination::new(camera, lights, draw.material);
+            Lit::new(draw.shade, mesh, &model, world.get(), &illumination)
+        });
+        let lit = &self.lit.out;
+        let (cull, varyings) = (&self.cull.out, Varyings::new(mesh, lit.get()));
+        // A factor for each triangle is not interpolated.
+        let attributes = [self.mesh_rev, if lit.get().normals.is_empty() { 0 } else { lit.rev() }];
+        self.polygons.update((clip.rev(), cull.rev(), attributes, key.range), || {
+            stages::clip(cull.get(), clip.get(), &varyings, key.range)
         });
         let polygons = &self.polygons.out;
         self.ndc.update(polygons.rev(), || polygons.get().corners.iter().copied().map(divide).collect());
@@ -223,10 +242,6 @@ impl DrawOutputs {
         let viewport = shared.viewport;
         self.screen.update((ndc.rev(), viewport), || {
             ndc.get().iter().map(|&point| viewport.to_screen(point)).collect()
-        });
-        let camera = shared.scene.camera;
-        self.shade.update((world.rev(), self.mesh_rev, draw.shade, camera), || {
-            stages::shade(draw.shade, world.get(), mesh, &camera)
         });
     }
 

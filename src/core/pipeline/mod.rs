@@ -11,10 +11,12 @@ mod evaluate;
 mod fragments;
 mod frame;
 mod gradient;
+mod lit;
 mod multisample;
 mod names;
 mod objects;
 mod pixel;
+mod pixel_light;
 mod pixel_words;
 mod range;
 mod rasterizer;
@@ -29,12 +31,15 @@ pub use draw::{DrawOutputs, DrawRuns};
 pub use enlarged::enlarged_triangles;
 pub use evaluate::{Outputs, Pipeline};
 pub use frame::Frame;
+pub use lit::Lit;
 pub use names::{draw_name, screen_names, triangle_name};
 pub use objects::Bounding;
 pub use pixel::{Later, Outcome, PixelEntry, PixelHistory, pixel_history, pixel_history_of};
+pub use pixel_light::pixel_light;
 pub use range::out_of_range;
 pub use rasterizer::Rasterizer;
 pub use screen_triangle::ScreenTriangle;
+pub(crate) use shader::Shader;
 pub use skips::{Skip, Skips};
 pub use stages::{Clipped, ClippedPolygon, Culled, Decision, Fate, Piece, Point};
 pub use stats::{Reason, StageCount, Stats, Unit};
@@ -46,6 +51,13 @@ pub fn render(scene: &Scene, skips: &Skips) -> Frame {
     let mut pipeline = Pipeline::default();
     pipeline.update(scene, skips);
     pipeline.into_frame()
+}
+
+/// The stages before the image, for a lab that draws it in its own way.
+pub(crate) fn geometry(scene: &Scene) -> Outputs {
+    let mut pipeline = Pipeline::default();
+    pipeline.update_geometry(scene, Skips::ALL);
+    pipeline.into_outputs()
 }
 
 /// The triangles that are scan converted, in drawing order.

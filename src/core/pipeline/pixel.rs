@@ -255,7 +255,7 @@ impl Probe {
             return None;
         }
         let mut clipped = Clipped::default();
-        clipped.push(triangle, false, stages.clip(), stages.mesh(), range);
+        clipped.push(triangle, false, stages.clip(), &stages.varyings(), range);
         let place = |i: u32| self.viewport.to_screen(divide(clipped.corners[i as usize]));
         let pieces: Vec<_> = clipped.pieces.iter().map(|piece| piece.corners.map(place)).collect();
         let near = pieces.iter().any(|corners| self.is_near(corners));

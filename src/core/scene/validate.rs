@@ -46,6 +46,9 @@ impl Scene {
         refuse_if(Samples::try_from(self.samples).is_err(), "samples", Problem::Samples)?;
         let limit = MAX_PIXELS / self.samples;
         refuse_if(width * height > limit, "size", Problem::TooManyPixels { limit })?;
+        for (i, light) in self.lights.iter().enumerate() {
+            light.check().map_err(|e| e.within(i).within("lights"))?;
+        }
         for (i, item) in self.draws.iter().enumerate() {
             draw(item).map_err(|e| e.within(i).within("draws"))?;
         }
@@ -172,6 +175,7 @@ fn draw(draw: &Draw) -> Checked {
     for (field, values) in parts {
         each_finite(values).map_err(|e| e.within(*field).within("transform"))?;
     }
+    draw.material.check().map_err(|e| e.within("material"))?;
     if let Some(Texture::Checker { squares }) = draw.texture {
         refuse_if(squares == 0, "squares", Problem::NotPositive).map_err(|e| e.within("texture"))?;
         let bare = draw.geometry.mesh().is_some_and(|mesh| mesh.uvs.is_empty() && !mesh.triangles.is_empty());

@@ -4,7 +4,7 @@ use rasterscope_core::{
     depth::DepthFormat,
     explain::Role,
     message::{Message, Value},
-    pipeline::{Outcome, Outputs, PixelHistory, pixel_history},
+    pipeline::{Outcome, Outputs, PixelHistory, pixel_history, pixel_light},
     scene::Scene,
 };
 use rasterscope_figure::words::Words;
@@ -35,12 +35,18 @@ pub(crate) struct Entry {
 }
 
 impl History {
-    pub(crate) fn new(history: &PixelHistory, scene: &Scene, words: &Words) -> Self {
+    pub(crate) fn new(history: &PixelHistory, scene: &Scene, outputs: &Outputs, words: &Words) -> Self {
+        let light = |entry| pixel_light(scene, outputs, entry, history.pixel);
         let entries = history.entries.iter().map(|entry| Entry {
             name: entry.name.clone(),
             reason: words.message(&entry.reason()),
             role: entry.role(),
-            details: entry.details(scene).iter().map(|line| words.message(line)).collect(),
+            details: entry
+                .details(scene)
+                .iter()
+                .chain(&light(entry))
+                .map(|line| words.message(line))
+                .collect(),
             fragment: entry.is_fragment(),
         });
         Self {

@@ -10,6 +10,7 @@ use crate::{
     blend::BlendState,
     cull::{CullMode, FrontFace},
     depth::DepthState,
+    shade::Material,
     stencil::StencilState,
 };
 use serde::{Deserialize, Serialize};
@@ -50,6 +51,8 @@ pub(super) struct DrawWire {
     texture: Option<TextureWire>,
     #[serde(skip_serializing_if = "is_default")]
     shade: Shade,
+    #[serde(skip_serializing_if = "is_default")]
+    material: Material,
 }
 
 fn is_default<T: Default + PartialEq>(value: &T) -> bool {
@@ -82,6 +85,7 @@ impl DrawWire {
                 .texture
                 .map(|TextureWire { kind: TextureKind::Checker, squares }| Texture::Checker { squares }),
             shade: self.shade,
+            material: self.material,
         })
     }
 }
@@ -119,6 +123,7 @@ impl From<&Draw> for DrawWire {
                 .texture
                 .map(|Texture::Checker { squares }| TextureWire { kind: TextureKind::Checker, squares }),
             shade: draw.shade,
+            material: draw.material,
             ..wire
         }
     }

@@ -12,7 +12,8 @@ use super::{
 };
 use crate::{
     engine::{
-        self, Canvas, Clear, Colors, DepthStore, Engine, Lanes, PaintOrder, Painter, Stencil, Triangles,
+        self, Canvas, Clear, Colors, DepthStore, Engine, Lanes, PaintOrder, Painter, Stencil, Threads,
+        Triangles,
     },
     math::Tally,
     raster::Samples,
@@ -28,6 +29,7 @@ pub(super) struct Whole {
     /// Between images the depths of the canvas, if they are codes.
     codes: Vec<f32>,
     clear: Clear,
+    threads: Threads,
     /// Whether nothing was drawn yet.
     fresh: bool,
     /// The corners of all pieces that are drawn together, three each.
@@ -72,7 +74,18 @@ impl Whole {
         }
         let engine = Engine::default();
         let (soup, places, stats) = Default::default();
-        Some(Self { engine, canvas, store, codes, clear, fresh: true, soup, places, stats })
+        Some(Self {
+            engine,
+            canvas,
+            store,
+            codes,
+            clear,
+            threads: Threads::available(),
+            fresh: true,
+            soup,
+            places,
+            stats,
+        })
     }
 
     /// Whether it holds an image of the same size that is cleared to the same values.
@@ -173,6 +186,7 @@ impl Whole {
             fill_rule: image.fill_rule,
             y_axis: image.y_axis,
             skips: image.skips,
+            threads: self.threads,
             ..engine::State::default()
         };
         let triangles = Triangles { positions: &self.soup, indices: None, colors: Colors::One([0; 4]) };

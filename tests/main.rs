@@ -34,6 +34,7 @@ mod msaa;
 mod multisample;
 mod nicholl_lee_nicholl;
 mod obj;
+mod overlay;
 mod perspective_correction;
 mod pipeline;
 mod pixel_history;

@@ -1,7 +1,7 @@
 //! From screen triangles to the image: scan conversion, stencil, depth, blend, write.
 
 use super::{
-    Frame, Rasterizer, Skip, Skips, Stats,
+    Frame, PixelCounts, Rasterizer, Skip, Skips, Stats,
     draw::DrawOutputs,
     frame::stored_depth,
     multisample::Multisample,
@@ -103,6 +103,8 @@ pub(super) struct Target {
     pub(super) multisample: Option<Multisample>,
     /// Fragments counted during one image.
     pub(super) counts: Counts,
+    /// Who counts pixel by pixel, if somebody asks.
+    pub(super) watch: Option<Box<PixelCounts>>,
     /// What the last image counted.
     stats: Stats,
 }
@@ -190,6 +192,7 @@ impl Target {
             touched,
             written: vec![false; pixels],
             counts: Counts::default(),
+            watch: None,
             stats: Stats::default(),
         }
     }
@@ -231,6 +234,7 @@ impl Target {
                 self.counts.carry(corners.map(|[x, y, ..]| [x, y]), &self.state);
                 continue;
             }
+            self.watch.iter_mut().for_each(|watch| watch.next());
             if let Some(shader) = Shader::new(draw, piece, state.texture, &mut self.counts.tally) {
                 self.triangle(corners, &shader, state, frame);
             }
@@ -270,8 +274,10 @@ impl Target {
         self.counts.spans += 1;
         self.counts.fragments += u64::from(span.len());
         self.touch(span);
-        let Self { state: image, depth, written, counts, .. } = self;
+        let Self { state: image, depth, written, counts, watch, .. } = self;
         let range = frame.index([span.begin, span.y])..frame.index([span.end, span.y]);
+        watch.iter_mut().for_each(|watch| watch.generated(range.clone()));
+        let first = range.start;
         let colors = frame.color[4 * range.start..4 * range.end].as_chunks_mut().0;
         let stored = depth.codes_mut(range.clone()).iter_mut().zip(&mut frame.stencil[range.clone()]);
         let pixels = colors.iter_mut().zip(stored).zip(&mut written[range]);
@@ -290,6 +296,7 @@ impl Target {
             let paint = paint.unwrap_or_else(|| Paint::new(shader, state, pixel, tally));
             *color = paint.over(*color, state, tally);
             *redrawn += u64::from(std::mem::replace(written, true));
+            watch.iter_mut().for_each(|watch| watch.written(first + (x - span.begin) as usize));
         }
         counts.failed += failed;
         counts.never_colored += if early { failed } else { 0 };

@@ -14,6 +14,7 @@ mod gradient;
 mod multisample;
 mod names;
 mod objects;
+mod overlay;
 mod pixel;
 mod pixel_words;
 mod range;
@@ -23,6 +24,7 @@ mod shader;
 mod skips;
 mod stages;
 mod stats;
+mod watch;
 mod whole;
 
 pub use draw::{DrawOutputs, DrawRuns};
@@ -31,6 +33,7 @@ pub use evaluate::{Outputs, Pipeline};
 pub use frame::Frame;
 pub use names::{draw_name, screen_names, triangle_name};
 pub use objects::Bounding;
+pub use overlay::{Changed, Layer, Overlay, Wires};
 pub use pixel::{Later, Outcome, PixelEntry, PixelHistory, pixel_history, pixel_history_of};
 pub use range::out_of_range;
 pub use rasterizer::Rasterizer;
@@ -38,6 +41,7 @@ pub use screen_triangle::ScreenTriangle;
 pub use skips::{Skip, Skips};
 pub use stages::{Clipped, ClippedPolygon, Culled, Decision, Fate, Piece, Point};
 pub use stats::{Reason, StageCount, Stats, Unit};
+pub use watch::PixelCounts;
 
 use crate::scene::Scene;
 

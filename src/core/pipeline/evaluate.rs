@@ -33,7 +33,7 @@ impl Outputs {
     pub fn triangles(&self) -> impl Iterator<Item = ScreenTriangle> {
         (0..).zip(&self.draws).flat_map(|(index, draw)| {
             let drawn = draw.clipped().pieces.iter().filter(|piece| !piece.carried);
-            drawn.map(move |piece| ScreenTriangle::new(index, draw.screen(), piece))
+            drawn.map(move |piece| ScreenTriangle::new(index, draw.screen(), &draw.clipped().colors, piece))
         })
     }
 }

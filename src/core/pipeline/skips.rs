@@ -19,7 +19,8 @@ pub enum Skip {
     Tile,
     /// Pixels of a row behind the triangle's last one.
     Row,
-    /// Colours of fragments that fail the stencil or depth test.
+    /// Colours of fragments that fail the stencil or depth test; of a draw whose fragments may be discarded only
+    /// if failing changes nothing.
     EarlyZ,
     /// Tiles in which a triangle lies behind all that is drawn. The pipeline keeps no
     /// pyramid of depths: accepted, and leaves nothing out.

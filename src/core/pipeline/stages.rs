@@ -1,9 +1,9 @@
 //! The stages before scan conversion: what each computes, from values to values.
 
-use super::{Skip, Skips};
+use super::{Skip, Skips, visible::Visible};
 use crate::{
-    clip::polygon::{Plane, PlaneSet, clip_triangle},
-    cull::{CullMode, Facing, FrontFace, facing, frustum::triangle_outside},
+    clip::polygon::Plane,
+    cull::{CullMode, Facing, FrontFace, facing},
     math::Tally,
     scene::{Draw, Mesh, Shade},
     transform::{Camera, DepthRange, Projection},
@@ -40,7 +40,7 @@ pub enum Fate {
 pub(super) struct CullKey {
     pub(super) mode: CullMode,
     pub(super) front: FrontFace,
-    pub(super) range: DepthRange,
+    pub(super) visible: Visible,
     pub(super) frustum: bool,
     pub(super) back_face: bool,
     pub(super) degenerate: bool,
@@ -51,7 +51,7 @@ impl CullKey {
         Self {
             mode: draw.cull,
             front: draw.front,
-            range,
+            visible: Visible { range, unclipped: draw.placement.unclipped },
             frustum: skips.has(Skip::Frustum),
             back_face: skips.has(Skip::BackFace),
             degenerate: skips.has(Skip::Degenerate),
@@ -60,7 +60,7 @@ impl CullKey {
 
     /// Decides about one triangle in clip space, by its unclipped vertices.
     pub(super) fn decide(&self, clip: [Point; 3], tally: &mut Tally) -> Decision {
-        let outside = if self.frustum { triangle_outside(clip, self.range) } else { None };
+        let outside = if self.frustum { self.visible.outside(clip) } else { None };
         if outside.is_some() {
             return Decision { facing: None, outside, fate: Fate::Dropped };
         }
@@ -140,13 +140,13 @@ pub struct Clipped {
     pub tally: Tally,
 }
 
-pub(super) fn clip(culled: &Culled, clip: &[Point], mesh: &Mesh, range: DepthRange) -> Clipped {
+pub(super) fn clip(culled: &Culled, clip: &[Point], mesh: &Mesh, visible: Visible) -> Clipped {
     let mut out = Clipped::default();
     for (index, decision) in (0..).zip(&culled.decisions) {
         if decision.fate == Fate::Dropped {
             continue;
         }
-        if !out.push(index, decision.fate == Fate::Carried, clip, mesh, range) {
+        if !out.push(index, decision.fate == Fate::Carried, clip, mesh, visible) {
             out.lost += 1;
         }
     }
@@ -161,10 +161,10 @@ impl Clipped {
         carried: bool,
         clip: &[Point],
         mesh: &Mesh,
-        range: DepthRange,
+        visible: Visible,
     ) -> bool {
         let indices = mesh.triangles[triangle as usize].map(|i| i as usize);
-        let polygon = clip_triangle(indices.map(|i| clip[i]), range, PlaneSet::All, &mut self.tally);
+        let polygon = visible.clip(indices.map(|i| clip[i]), &mut self.tally);
         let corners = polygon.corners();
         // Where w rounds to zero there is no place on the screen: the eye's own point.
         if corners.is_empty() || corners.iter().any(|corner| corner.position[3] == 0.0) {

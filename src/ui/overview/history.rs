@@ -4,7 +4,7 @@ use rasterscope_core::{
     depth::DepthFormat,
     explain::Role,
     message::{Message, Value},
-    pipeline::{Outcome, Outputs, PixelHistory, pixel_history},
+    pipeline::{Outcome, Outputs, PixelEntry, PixelHistory, pixel_history},
     scene::Scene,
 };
 use rasterscope_figure::words::Words;
@@ -32,6 +32,7 @@ pub(crate) struct Entry {
     pub(crate) details: Vec<String>,
     /// Whether a run over the fragments steps through it.
     pub(crate) fragment: bool,
+    pub(crate) of: PixelEntry,
 }
 
 impl History {
@@ -42,6 +43,7 @@ impl History {
             role: entry.role(),
             details: entry.details(scene).iter().map(|line| words.message(line)).collect(),
             fragment: entry.is_fragment(),
+            of: entry.clone(),
         });
         Self {
             pixel: history.pixel,

@@ -49,8 +49,9 @@ struct Place {
 
 impl Whole {
     /// Whether the engine has a way to draw such an image.
-    pub(super) fn can_draw(state: &ImageState) -> bool {
-        state.samples == Samples::One && DepthStore::of(state.format).is_some()
+    pub(super) fn can_draw(state: &ImageState, draws: &[FragmentState]) -> bool {
+        let stored = state.samples == Samples::One && DepthStore::of(state.format).is_some();
+        stored && draws.iter().all(FragmentState::is_plain)
     }
 
     /// An image of clear values only, written to `frame`; `None` if the engine has no way to draw it.

@@ -55,5 +55,6 @@ mod sutherland_hodgman;
 mod tour;
 mod transform;
 mod traversals;
+mod visibility;
 mod weiler_atherton;
 mod z_buffer;

@@ -55,3 +55,12 @@ pipeline-pixel-codes = { $new } { $compare } { $stored }
 
 pipeline-pixel-drawn = { $name } drew this pixel.
 pipeline-pixel-clear = No triangle drew this pixel: it shows the clear colour.
+
+pipeline-overlay-none = nothing
+pipeline-overlay-depth = depth
+pipeline-overlay-stencil = stencil
+pipeline-overlay-generated = fragments got
+pipeline-overlay-written = fragments written
+pipeline-overlay-wireframe = wireframe
+pipeline-overlay-triangle = triangle at pointer
+pipeline-overlay-changed = changed pixels

@@ -10,17 +10,22 @@ mod enlarged;
 mod evaluate;
 mod fragments;
 mod frame;
+mod gradient;
 mod multisample;
 mod names;
 mod objects;
+mod overlay;
 mod pixel;
 mod pixel_words;
 mod range;
+mod rasterizer;
 mod screen_triangle;
 mod shader;
 mod skips;
 mod stages;
 mod stats;
+mod watch;
+mod whole;
 
 pub use draw::{DrawOutputs, DrawRuns};
 pub use enlarged::enlarged_triangles;
@@ -28,18 +33,21 @@ pub use evaluate::{Outputs, Pipeline};
 pub use frame::Frame;
 pub use names::{draw_name, screen_names, triangle_name};
 pub use objects::Bounding;
+pub use overlay::{Changed, Layer, Overlay, Wires};
 pub use pixel::{Later, Outcome, PixelEntry, PixelHistory, pixel_history, pixel_history_of};
 pub use range::out_of_range;
+pub use rasterizer::Rasterizer;
 pub use screen_triangle::ScreenTriangle;
 pub use skips::{Skip, Skips};
 pub use stages::{Clipped, ClippedPolygon, Culled, Decision, Fate, Piece, Point};
 pub use stats::{Reason, StageCount, Stats, Unit};
+pub use watch::PixelCounts;
 
-use crate::{raster::Algorithm, scene::Scene};
+use crate::scene::Scene;
 
 /// Draws a resolved scene; a model that is not loaded draws nothing.
 pub fn render(scene: &Scene, skips: &Skips) -> Frame {
-    let mut pipeline = Pipeline::new(Algorithm::Scanline);
+    let mut pipeline = Pipeline::default();
     pipeline.update(scene, skips);
     pipeline.into_frame()
 }

@@ -5,6 +5,7 @@
 //! and degeneracy are decided once, by the unclipped vertices. Every piece of work that can be left
 //! out has a switch in [`Skips`] and a counter in [`Stats`], and never changes the image.
 
+mod counts;
 mod cut;
 mod draw;
 mod enlarged;

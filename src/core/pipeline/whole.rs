@@ -5,7 +5,8 @@
 
 use super::{
     DrawOutputs, Frame, Skip, Stats,
-    fragments::{Counts, FragmentState, ImageState, Paint},
+    counts::Counts,
+    fragments::{FragmentState, ImageState, Paint},
     frame::stored_depth,
     gradient::Gradient,
     shader::Shader,

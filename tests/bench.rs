@@ -124,7 +124,7 @@ fn a_reader_that_leaves_ends_the_work_early_and_sees_whole_tables() {
         assert!(text.contains(part), "{part:?} in\n{text}");
     }
     let terminal = String::from_utf8(terminal).expect("text");
-    assert!(terminal.contains("0 of 33") && !terminal.contains("2 of 33"), "{terminal}");
+    assert!(terminal.contains("0 of 41") && !terminal.contains("2 of 41"), "{terminal}");
     assert!(terminal.ends_with("\x1b[K"), "the bar is gone at the end");
 }
 

@@ -114,7 +114,15 @@ fn what_cannot_be_traced_is_said_in_a_sentence() {
 
 fn picture(lab: &str, file: &Path, step: Option<usize>, output: &Path) -> Result<(), Failure> {
     let (lab, file, output) = (lab.to_owned(), file.to_owned(), output.to_owned());
-    let options = FigureOptions { lab, file, step, size: SIZE, theme: ThemeName::Light, output };
+    let options = FigureOptions {
+        lab,
+        file,
+        step,
+        size: SIZE,
+        overlay: Default::default(),
+        theme: ThemeName::Light,
+        output,
+    };
     figure(&options, &mut Vec::new())
 }
 
@@ -142,7 +150,15 @@ fn a_figure_is_the_picture_of_a_step_as_svg_or_png() {
 /// The number of frames, and the first one's pixels.
 fn animated(lab: &str, file: &Path, level: Option<Level>, output: &Path) -> Result<(u32, Vec<u8>), Failure> {
     let (lab, file, output) = (lab.to_owned(), file.to_owned(), output.to_owned());
-    let options = FigureOptions { lab, file, step: None, size: [160, 120], theme: ThemeName::Light, output };
+    let options = FigureOptions {
+        lab,
+        file,
+        step: None,
+        size: [160, 120],
+        overlay: Default::default(),
+        theme: ThemeName::Light,
+        output,
+    };
     let mut progress = Vec::new();
     animate(&options, AnimateOptions { level, delay: 100 }, Some(&mut progress))?;
     assert!(String::from_utf8_lossy(&progress).contains("Frame 1 of "));
@@ -309,7 +325,15 @@ fn a_step_past_the_end_is_the_end_and_is_noted() {
     for (step, noted) in [(Some(99_999), true), (Some(12), false), (None, false)] {
         let (lab, file, output) = ("cohen-sutherland".into(), line.clone(), folder.join("a.svg"));
         let mut notes = Vec::new();
-        let options = FigureOptions { lab, file, step, size: SIZE, theme: ThemeName::Light, output };
+        let options = FigureOptions {
+            lab,
+            file,
+            step,
+            size: SIZE,
+            overlay: Default::default(),
+            theme: ThemeName::Light,
+            output,
+        };
         figure(&options, &mut notes).expect("it is drawn");
         let notes = String::from_utf8(notes).expect("text");
         assert_eq!((notes.contains("12 steps"), notes.is_empty()), (noted, !noted), "{notes}");

@@ -7,7 +7,7 @@ use rasterscope_cli::{
     tour::TourOptions,
     trace::{TraceFormat, TraceOptions},
 };
-use rasterscope_core::explain::Level;
+use rasterscope_core::{explain::Level, pipeline::Overlay};
 use rasterscope_figure::{animation, theme::ThemeName, words::Words};
 use std::path::PathBuf;
 
@@ -96,6 +96,13 @@ fn command(words: &Words) -> Command {
                         .value_parser(names(&ThemeName::ALL.map(ThemeName::name))),
                 )
                 .arg(
+                    Arg::new("overlay")
+                        .long("overlay")
+                        .help(words.word("app-figure-overlay"))
+                        .conflicts_with("animate")
+                        .value_parser(names(&figure::OVERLAYS.map(Overlay::name))),
+                )
+                .arg(
                     Arg::new("animate")
                         .long("animate")
                         .help(words.word("app-figure-animate"))
@@ -175,6 +182,7 @@ fn request(matches: &ArgMatches) -> Request {
                 file: path(matches, "file").unwrap_or_default(),
                 step: matches.get_one("step").copied(),
                 size: matches.get_one("size").copied().unwrap_or(figure::SIZE),
+                overlay: Overlay::from_name(&text("overlay")).unwrap_or_default(),
                 theme: ThemeName::from_name(&text("theme")).unwrap_or_default(),
                 output: path(matches, "output").unwrap_or_default(),
             };
@@ -232,6 +240,8 @@ mod tests {
         for part in ["z-buffer", "Some(3)", "[640, 480]", "Light", "a.svg"] {
             assert!(figure.contains(part), "{part} in {figure}");
         }
+        let laid = read("rasterscope figure pipeline a.json --overlay written -o a.svg");
+        assert!(laid.unwrap_or_default().contains("overlay: Written"));
         let film = read("rasterscope figure z-buffer a.json --animate --level row --delay 80 -o a.png");
         let film = film.unwrap_or_default();
         for part in ["Animate(", "Some(Row)", "delay: 80"] {
@@ -245,6 +255,8 @@ mod tests {
             "rasterscope tour",
             "rasterscope figure z-buffer a.json --size big -o a.svg",
             "rasterscope figure z-buffer a.json --theme pink -o a.svg",
+            "rasterscope figure pipeline a.json --overlay changed -o a.svg",
+            "rasterscope figure pipeline a.json --overlay depth --animate -o a.png",
             "rasterscope figure z-buffer a.json --level row -o a.png",
             "rasterscope figure z-buffer a.json --animate --step 3 -o a.png",
             "rasterscope figure z-buffer a.json --animate --delay 1 -o a.png",

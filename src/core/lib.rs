@@ -39,3 +39,5 @@ pub mod blend;
 pub mod pipeline;
 
 pub mod engine;
+
+pub mod stress;

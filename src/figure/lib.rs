@@ -29,6 +29,7 @@ mod labels;
 pub mod layout;
 mod legend;
 pub mod orbit;
+pub mod overlay;
 pub mod space;
 pub mod split;
 

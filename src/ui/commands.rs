@@ -54,6 +54,7 @@ impl App {
             Command::Play => self.toggle_play(ctx),
             Command::Level(level) => self.view.level = level,
             Command::Speed(speed) => self.view.speed = speed,
+            Command::Overlay(overlay) => self.view.overlay = overlay,
             Command::Undo => self.history.undo(&mut self.document),
             Command::Redo => self.history.redo(&mut self.document),
             Command::NextTheme => {

@@ -6,7 +6,7 @@ use rasterscope_core::{
     explain::Level,
     labs,
     labs::LabInput,
-    pipeline::Skips,
+    pipeline::{Overlay, Skips},
     scene::{Lab, Scene},
 };
 use rasterscope_figure::{orbit::Orbit, theme::ThemeName};
@@ -204,6 +204,8 @@ pub(crate) struct ViewState {
     pub(crate) scenery: Scenery,
     /// Whether the overview draws the outlines of triangles.
     pub(crate) outlines: bool,
+    /// What lies on the overview's image.
+    pub(crate) overlay: Overlay,
     /// Where dragged points snap to.
     pub(crate) snap: Snap,
     /// Whether the choices lie over the canvas of a narrow window.
@@ -247,6 +249,7 @@ impl Default for ViewState {
             skips: Skips::ALL,
             scenery: Scenery::Image,
             outlines: true,
+            overlay: Overlay::None,
             snap: Snap::Half,
             choices: false,
             keys: false,

@@ -11,6 +11,7 @@ use rasterscope_core::{
     explain::Level,
     labs::Stage,
     message::{Message, Value},
+    pipeline::Overlay,
 };
 use rasterscope_figure::{theme::ThemeName, words::Words};
 use std::cell::RefCell;
@@ -42,6 +43,8 @@ pub(crate) enum Command {
     Level(Level),
     /// Choose the steps per second of playing.
     Speed(f32),
+    /// Lay something on the overview's image.
+    Overlay(Overlay),
     /// Take the last edit back.
     Undo,
     /// Take the last undo back.

@@ -13,6 +13,7 @@ app-figure = Draw a step of a lab, the same as in the window.
 app-figure-lab = Which lab: see list.
 app-figure-step = After how many steps; 0 is the start, left out the end.
 app-figure-size = Width and height in points.
+app-figure-overlay = What lies on the image at the end of the pipeline.
 app-figure-theme = In which colours.
 app-figure-animate = Draw every step, as an animated PNG.
 app-figure-level = How big a step is; left out, the finest with at most 600.

@@ -43,6 +43,7 @@ ui-key-exact = Exact values, with their bits
 ui-palette = Commands
 ui-palette-hint = Type what you want to do
 ui-palette-none = No command has these words.
+ui-palette-overlay = On the image: { $name }
 ui-palette-theme = Theme: { $name }
 ui-palette-text-size = Text size: { $name }
 ui-palette-level = Size of a step: { $name }
@@ -102,6 +103,14 @@ ui-readout-depth = depth { $depth }
 ui-readout-code = code { $code }
 ui-readout-by = by { $name }
 ui-readout-clear = clear
+ui-readout-fragments = { $written } of { $generated } { $generated ->
+    [one] fragment
+   *[other] fragments
+} written
+ui-readout-triangle = triangle { $number } of { $count } in { $name }
+ui-overlay = On the image
+ui-overlay-is = { ui-overlay }: { $name }
+ui-busy-overlay = Counting what lies on the image
 ui-readout-value = value { $value }
 ui-readout-point = { $at }
 
@@ -125,6 +134,7 @@ ui-key-play = Play, pause
 ui-key-next-algorithm = Next algorithm of the stage
 ui-key-last-algorithm = Algorithm before, of the stage
 ui-key-fit = Fit the drawing into the canvas
+ui-key-overlay = What lies on the image
 ui-key-theme = Next theme
 ui-key-bigger = Bigger
 ui-key-smaller = Smaller
@@ -231,8 +241,11 @@ ui-skip-object-frustum = Objects outside
 ui-skip-frustum = Triangles outside
 ui-skip-back-face = Back faces early
 ui-skip-degenerate = No area early
+ui-skip-tile = Tiles not touched
 ui-skip-row = Row ends
 ui-skip-early-z = Early depth test
+ui-skip-hierarchical-z = Hidden blocks
+ui-skip-deferred = Colours drawn over
 ui-skip-clear = Untouched pixels
 ui-skip-memo = Unchanged stages
 ui-outlines = Outlines

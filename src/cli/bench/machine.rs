@@ -1,35 +1,20 @@
-//! Where and how the numbers were made.
+//! Where the numbers are made.
 
-use serde::Serialize;
+use rasterscope_measure::Machine;
 use std::{path::Path, thread};
 
 use crate::files;
 
-/// The machine and the build.
-#[derive(Debug, Serialize)]
-pub(super) struct Machine {
-    pub(super) processor: String,
-    pub(super) processors: usize,
-    pub(super) system: &'static str,
-    pub(super) architecture: &'static str,
-    pub(super) version: &'static str,
-    /// `release` or `debug`.
-    pub(super) build: &'static str,
-    /// The widest vectors that the build may use.
-    pub(super) vectors: &'static str,
-}
-
-impl Machine {
-    pub(super) fn here() -> Self {
-        Self {
-            processor: processor().unwrap_or_default(),
-            processors: thread::available_parallelism().map_or(1, usize::from),
-            system: std::env::consts::OS,
-            architecture: std::env::consts::ARCH,
-            version: env!("CARGO_PKG_VERSION"),
-            build: if cfg!(debug_assertions) { "debug" } else { "release" },
-            vectors: vectors(),
-        }
+/// This machine and this build.
+pub fn machine() -> Machine {
+    Machine {
+        processor: processor().unwrap_or_default(),
+        processors: thread::available_parallelism().map_or(1, usize::from),
+        system: std::env::consts::OS,
+        architecture: std::env::consts::ARCH,
+        version: env!("CARGO_PKG_VERSION"),
+        build: if cfg!(debug_assertions) { "debug" } else { "release" },
+        vectors: vectors(),
     }
 }
 

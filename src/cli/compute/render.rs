@@ -6,7 +6,6 @@ use rasterscope_core::{
     math::Arithmetic,
     message::Message,
     pipeline::{self, Bounding, Frame, Pipeline, Skip, Skips, Stats},
-    raster::Algorithm,
     scene::{Scene, SceneError},
 };
 use serde::{Serialize, Serializer};
@@ -43,7 +42,7 @@ pub(super) fn answer(request: &Request) -> Result<Answer, Refusal> {
     if let Some(message) = pipeline::out_of_range(&scene) {
         return Err(Refusal::new("overflow", message));
     }
-    let mut pipeline = Pipeline::new(Algorithm::Scanline);
+    let mut pipeline = Pipeline::default();
     let names = ("bounding", "unknown-bounding");
     pipeline.bounding = request.choice(names, &Bounding::ALL, Bounding::name, &[])?.unwrap_or_default();
     pipeline.update(&scene, &skips);

@@ -6,10 +6,12 @@
 #![expect(clippy::print_stdout, reason = "it prints a table")]
 
 use rasterscope_core::{
+    blend::Mode,
     labs::Stage,
-    pipeline::{Frame, Pipeline, Skips, render},
+    pipeline::{Frame, Pipeline, Rasterizer, Skips, render},
     raster::Algorithm,
-    scene::{Geometry, MODEL_SIZE, Mesh, Scene, preset, scene_from_obj},
+    scene::{Draw, Geometry, MODEL_SIZE, Mesh, Scene, preset, scene_from_obj},
+    stencil::{StencilOperation, StencilState},
 };
 use std::{
     hint::black_box,
@@ -39,7 +41,7 @@ fn default_scene(size: [u32; 2]) -> Scene {
 }
 
 /// Re-evaluates after one vertex moved back and forth.
-fn drag(size: [u32; 2], algorithm: Algorithm) -> Row {
+fn drag(size: [u32; 2], rasterizer: Rasterizer, name: &str) -> Row {
     let mut scene = default_scene(size);
     let places = [0.0, 0.125].map(|by| {
         let mut mesh = Mesh::clone(scene.draws[0].geometry.mesh().expect("it is a mesh"));
@@ -51,9 +53,9 @@ fn drag(size: [u32; 2], algorithm: Algorithm) -> Row {
         render(&scene, &Skips::NONE)
     });
     assert!(!expected[0].same_image(&expected[1]), "the drag must show");
-    let mut pipeline = Pipeline::new(algorithm);
+    let mut pipeline = Pipeline::new(rasterizer);
     let mut turn = 0;
-    let name = format!("drag a vertex, {}x{}, {}", size[0], size[1], algorithm.name());
+    let name = format!("drag a vertex, {}x{}, {}", size[0], size[1], name);
     Row::new(name, move || {
         turn = 1 - turn;
         scene.draws[0].geometry = Geometry::Mesh(places[turn].clone());
@@ -83,15 +85,58 @@ fn first_image(path: String) -> Row {
     })
 }
 
+/// One step of an orbit around a model, as dragging the camera asks for it.
+fn orbit(path: &str, rasterizer: Rasterizer, what: &str, change: impl Fn(&mut Draw)) -> Row {
+    let bytes = std::fs::read(path).expect("the model can be read");
+    let mesh = Mesh::from_obj(&bytes).expect("the model is right");
+    let mut scene = scene_from_obj("model.obj", mesh, MODEL_SIZE);
+    scene.draws.iter_mut().for_each(change);
+    let [x, y, z] = scene.camera.eye;
+    let eyes = [[x, y, z], [x + 0.02 * z, y, z]];
+    let expected = eyes.map(|eye| {
+        scene.camera.eye = eye;
+        let mut pipeline = Pipeline::new(Algorithm::Scanline);
+        pipeline.update(&scene, &Skips::NONE);
+        pipeline.into_frame()
+    });
+    assert!(!expected[0].same_image(&expected[1]), "the orbit must show");
+    let mut pipeline = Pipeline::new(rasterizer);
+    let mut turn = 0;
+    let by = if rasterizer == Rasterizer::Engine { "engine" } else { "scan line" };
+    let name = std::path::Path::new(path).file_stem().unwrap_or_default().to_string_lossy();
+    Row::new(format!("orbit {name}, {what}, 1280x720, {by}"), move || {
+        turn = 1 - turn;
+        scene.camera.eye = eyes[turn];
+        let start = Instant::now();
+        black_box(pipeline.update(&scene, &Skips::ALL));
+        let time = start.elapsed();
+        assert!(pipeline.outputs().frame.same_image(&expected[turn]));
+        time
+    })
+}
+
+/// Every pixel drawn counts one.
+fn counting() -> StencilState {
+    StencilState { pass_op: StencilOperation::IncrementClamp, ..StencilState::default() }
+}
+
 fn main() {
     let mut rows = Vec::new();
     for size in [[36, 24], MODEL_SIZE] {
         for algorithm in Algorithm::ALL {
-            rows.push(drag(size, algorithm));
+            rows.push(drag(size, algorithm.into(), algorithm.name()));
         }
+        rows.push(drag(size, Rasterizer::Engine, "engine"));
     }
     // Cargo passes `--bench`; everything else names a model.
     rows.extend(std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).map(first_image));
+    for path in std::env::args().skip(1).filter(|arg| !arg.starts_with('-')) {
+        for rasterizer in [Rasterizer::Each(Algorithm::Scanline), Rasterizer::Engine] {
+            rows.push(orbit(&path, rasterizer, "depth", |_| ()));
+            rows.push(orbit(&path, rasterizer, "stencil", |draw| draw.stencil = Some(counting())));
+            rows.push(orbit(&path, rasterizer, "blending", |draw| draw.blend = Some(Mode::Over.state())));
+        }
+    }
     for _ in 0..ROUNDS {
         for row in &mut rows {
             row.times.push((row.run)());

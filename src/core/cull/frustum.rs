@@ -21,6 +21,15 @@ pub fn triangle_outside(clip: [[f32; 4]; 3], range: DepthRange) -> Option<Plane>
     Plane::ALL.into_iter().find(|&plane| clip.iter().all(|&v| distance_is_negative(plane, v, range)))
 }
 
+/// Which planes a point of clip space lies strictly outside of: a bit for each of [`Plane::ALL`], the first lowest.
+///
+/// *Source:* Blinn and Newell, Clipping Using Homogeneous Coordinates, 1978 (outcodes before the divide).
+#[inline]
+pub fn outcode(point: [f32; 4], range: DepthRange) -> u8 {
+    let bit = |(i, plane): (usize, &Plane)| u8::from(distance_is_negative(*plane, point, range)) << i;
+    Plane::ALL.iter().enumerate().map(bit).sum()
+}
+
 /// The smallest and largest coordinates of some points; homogeneous.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {

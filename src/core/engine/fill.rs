@@ -4,20 +4,18 @@
 //! Occlusion Culling, 2013. Deviation: a depth is tested as an interval around the exact one.
 
 use super::{
-    Rules, State, Stats,
+    State, Stats,
     bins::Entry,
     canvas::TILE,
-    lanes::{LANES, Wide, greatest, least, mask},
-    rows::{Band, Exact, Rows},
+    ink::Ink,
+    lanes::{LANES, Wide, greatest, least},
+    pixels::Pixels,
+    rows::{Band, Exact, Left, Rows},
     setup::Setup,
-    test::{Any, Nearer, Test},
+    small::SmallRows,
+    state::Rules,
+    test::{Any, Codes, Masked, Nearer, Test},
     tile::{BLOCK, Tile},
-};
-use crate::{
-    depth::DepthPlane,
-    math::{Arithmetic, Tally},
-    raster::Edges,
-    stencil::{StencilOutcome, StencilState},
 };
 use std::ops::Range;
 
@@ -55,49 +53,56 @@ struct Piece {
     rows: Range<usize>,
 }
 
-impl Piece {
-    /// The columns that a row of the triangle covers in it.
-    fn columns(&self, rows: &Rows, row: usize) -> Range<usize> {
-        (rows.begin[row] as usize).max(self.x)..(rows.end[row] as usize).min(self.x + BLOCK)
-    }
-}
-
 impl Tile {
     /// Draws triangles in order.
-    pub(super) fn draw(&mut self, job: Job<'_>, entries: &[Entry], stats: &mut Stats) {
+    pub(super) fn draw(&mut self, ink: &mut impl Ink, job: Job<'_>, entries: &[Entry], stats: &mut Stats) {
         let state = job.state;
-        if state.lowers_depths() {
-            state.lanes.run(
-                #[inline(always)]
-                || self.draw_with(Nearer, job, entries, stats),
-            );
-        } else {
-            let test = Any::new(state.depth);
-            state.lanes.run(
-                #[inline(always)]
-                || self.draw_with(test, job, entries, stats),
-            );
+        let any = Any::new(state.depth);
+        match (Codes::new(state.depth, state.store), state.stencil) {
+            _ if state.lowers_depths() => self.draw_in_lanes(Nearer, ink, job, entries, stats),
+            (None, None) => self.draw_in_lanes(any, ink, job, entries, stats),
+            (None, Some(_)) => self.draw_in_lanes(Masked(any), ink, job, entries, stats),
+            (Some(codes), None) => self.draw_in_lanes(codes, ink, job, entries, stats),
+            (Some(codes), Some(_)) => self.draw_in_lanes(Masked(codes), ink, job, entries, stats),
         }
     }
 
-    #[inline(always)]
-    fn draw_with<T: Test>(&mut self, test: T, job: Job<'_>, entries: &[Entry], stats: &mut Stats) {
-        for entries in entries.chunks(LANES) {
-            let farthest = self.farthest_of_all();
-            let setup = Setup::new(entries, (job.origin, farthest), job.rules, stats);
-            for (lane, entry) in entries.iter().enumerate() {
-                let lane = lane % LANES;
-                if setup.rows[0][lane] < setup.rows[1][lane] {
-                    self.triangle(test, &setup, lane, (job, entry), stats);
-                }
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn triangle<T: Test>(
+    fn draw_in_lanes<T: Test, I: Ink>(
         &mut self,
         test: T,
+        ink: &mut I,
+        job: Job<'_>,
+        entries: &[Entry],
+        stats: &mut Stats,
+    ) {
+        job.state.lanes.run(
+            #[inline(always)]
+            || {
+                for entries in entries.chunks(LANES) {
+                    let farthest = self.farthest_of_all();
+                    let setup = Setup::new(entries, (job.origin, farthest), job.rules, stats);
+                    let rows = SmallRows::new(&setup, entries, &job, I::COUNTS, stats);
+                    for (lane, entry) in entries.iter().enumerate() {
+                        let lane = lane % LANES;
+                        if setup.rows[0][lane] >= setup.rows[1][lane] {
+                            continue;
+                        }
+                        if rows.small[lane] {
+                            let drawn = (&setup, &rows, lane);
+                            self.small_triangle((test, &mut *ink), drawn, (job, entry), stats);
+                        } else {
+                            self.triangle((test, &mut *ink), &setup, lane, (job, entry), stats);
+                        }
+                    }
+                }
+            },
+        );
+    }
+
+    #[inline(always)]
+    fn triangle<T: Test, I: Ink>(
+        &mut self,
+        (test, ink): (T, &mut I),
         setup: &Setup,
         lane: usize,
         (job, entry): (Job<'_>, &Entry),
@@ -120,31 +125,48 @@ impl Tile {
         let [first, last] = [0, 1].map(|end| setup.rows[end][lane]);
         // Of very small triangles nothing is worth asking.
         let hides = pen.job.rules.hierarchical_z && last - first >= SMALL;
+        let behind = I::COUNTS && setup.behind[lane];
+        let left_tile = if I::COUNTS && job.origin[0] > 0 { Left::Asked } else { Left::Unasked };
         for top in (first & !(LANES as u32 - 1)..last).step_by(LANES) {
             for i in 0..LANES {
                 let down = setup.dz_dy[lane] * f64::from(top + i as u32);
                 pen.down[0][i] = setup.depth[0][lane] + down;
                 pen.down[1][i] = setup.depth[1][lane] + down;
             }
-            if hides {
+            let mut hidden = behind;
+            if hides && !behind {
                 let [near, _] = pen.extent(setup, lane, left - start, right - start);
                 let columns = (left & !(BLOCK - 1)..right).step_by(BLOCK);
                 let blocks = columns.len() as u64;
-                if columns.into_iter().all(|x| near >= f64::from(self.farthest(x, top as usize))) {
-                    stats.hidden += blocks;
-                    continue;
-                }
+                hidden = columns.into_iter().all(|x| near >= f64::from(self.farthest(x, top as usize)));
+                stats.hidden += if hidden { blocks } else { 0 };
             }
-            let rows = Rows::new(setup, lane, Band { top, first, last }, || pen.edges(), stats);
+            if hidden && !I::COUNTS {
+                continue;
+            }
+            let band = Band { top, first, last };
+            let rows = Rows::new(setup, lane, (band, left_tile), || pen.edges(), stats);
             if rows.last == 0 {
+                continue;
+            }
+            if I::COUNTS {
+                rows.count(stats);
+            }
+            if hidden {
                 continue;
             }
             let in_band = first.max(top) - top..last.min(top + LANES as u32) - top;
             let (top, in_band) = (top as usize, in_band.start as usize..in_band.end as usize);
             if narrow {
                 stats.blocks += 1;
-                self.age(start, top);
-                self.fill(test, Piece { x: start, across: 0, top, rows: in_band }, &rows, &pen, stats);
+                self.age(start, top, BLOCK);
+                self.fill(
+                    (test, &mut *ink),
+                    Piece { x: start, across: 0, top, rows: in_band },
+                    &rows,
+                    &pen,
+                    stats,
+                );
                 continue;
             }
             for x in (rows.first as usize & !(BLOCK - 1)..rows.last as usize).step_by(BLOCK) {
@@ -159,127 +181,41 @@ impl Tile {
                     }
                 }
                 stats.blocks += 1;
-                self.age(x, top);
-                self.fill(test, Piece { x, across: x, top, rows: in_band.clone() }, &rows, &pen, stats);
+                self.age(x, top, BLOCK);
+                self.fill(
+                    (test, &mut *ink),
+                    Piece { x, across: x, top, rows: in_band.clone() },
+                    &rows,
+                    &pen,
+                    stats,
+                );
             }
         }
     }
 
     /// The pixels of a piece.
     #[inline(always)]
-    fn fill<T: Test>(&mut self, test: T, piece: Piece, rows: &Rows, pen: &Pen<'_>, stats: &mut Stats) {
-        if let Some(state) = pen.job.state.stencil {
-            self.fill_by_stencil(state, &piece, rows, pen, stats);
-            return;
-        }
-        let mut across = [0.0; BLOCK];
-        across.copy_from_slice(&pen.across[piece.across..piece.across + BLOCK]);
-        let color = pen.entry.color;
-        for row in piece.rows.clone() {
-            let row = row % LANES;
-            let (near, far) = (pen.down[0][row], pen.down[1][row]);
-            let begin = rows.begin[row] as i32 - piece.x as i32;
-            let end = rows.end[row] as i32 - piece.x as i32;
-            let (depths, colors) = self.row(piece.x, piece.top + row);
-            let (stored, painted) = (*depths, *colors);
-            let (mut low, mut high) = ([0.0_f32; BLOCK], [0.0_f32; BLOCK]);
-            for i in 0..BLOCK {
-                low[i] = (near + across[i]) as f32;
-                high[i] = (far + across[i]) as f32;
-            }
-            let (mut covered, mut drawn) = ([0; BLOCK], [0; BLOCK]);
-            for i in 0..BLOCK {
-                covered[i] = mask(i as i32 >= begin) & mask((i as i32) < end);
-                drawn[i] = covered[i] & test.passes(low[i], stored[i]);
-            }
-            let mut doubt = 0;
-            for i in 0..BLOCK {
-                doubt |= (low[i].to_bits() ^ high[i].to_bits()) & test.matters(covered[i], drawn[i]);
-            }
-            if doubt != 0 {
-                self.row_in_doubt(&piece, row, rows, pen, stats);
-                continue;
-            }
-            let (mut new, mut paint) = ([0.0; BLOCK], [0; BLOCK]);
-            let written = test.written();
-            for i in 0..BLOCK {
-                // Adding zero leaves no -0.
-                let write = drawn[i] & written;
-                new[i] = f32::from_bits((high[i] + 0.0).to_bits() & write | stored[i].to_bits() & !write);
-            }
-            for i in 0..BLOCK {
-                paint[i] = color & drawn[i] | painted[i] & !drawn[i];
-            }
-            (*depths, *colors) = (new, paint);
-        }
-    }
-
-    /// A row where an interval holds two depths: pixel by pixel.
-    #[cold]
-    #[inline(never)]
-    fn row_in_doubt(&mut self, piece: &Piece, row: usize, rows: &Rows, pen: &Pen<'_>, stats: &mut Stats) {
-        for x in piece.columns(rows, row) {
-            self.test(piece, [x, row], pen, stats);
-        }
-    }
-
-    /// The pixels of a piece under a stencil test, one by one.
-    #[inline(never)]
-    fn fill_by_stencil(
+    fn fill<T: Test, I: Ink>(
         &mut self,
-        state: StencilState,
-        piece: &Piece,
+        (test, ink): (T, &mut I),
+        piece: Piece,
         rows: &Rows,
         pen: &Pen<'_>,
         stats: &mut Stats,
     ) {
+        let mut across = [0.0; BLOCK];
+        across.copy_from_slice(&pen.across[piece.across..piece.across + BLOCK]);
         for row in piece.rows.clone() {
-            for x in piece.columns(rows, row) {
-                let stencil = *self.pixel(x, piece.top + row).stencil;
-                let outcome = if !state.passes(stencil) {
-                    StencilOutcome::Fail
-                } else if self.test(piece, [x, row], pen, stats) {
-                    StencilOutcome::Pass
-                } else {
-                    StencilOutcome::DepthFail
-                };
-                *self.pixel(x, piece.top + row).stencil = state.after(outcome, stencil);
-            }
+            let row = row % LANES;
+            let columns = rows.begin[row] as i32 - piece.x as i32..rows.end[row] as i32 - piece.x as i32;
+            let ends = [pen.down[0][row], pen.down[1][row]];
+            let pixels = Pixels { at: [piece.x, piece.top + row], columns, ends, across: &across };
+            self.row_of_pixels((test, &mut *ink), &pixels, (pen.job, pen.entry), stats);
         }
-    }
-
-    /// The depth test of one pixel, and what follows from it.
-    fn test(&mut self, piece: &Piece, [x, row]: [usize; 2], pen: &Pen<'_>, stats: &mut Stats) -> bool {
-        let state = pen.job.state.depth;
-        let y = piece.top + row;
-        let pixel = self.pixel(x, y);
-        let depth =
-            if state.test { pen.depth([x, y], row, piece.across + x - piece.x, stats) } else { *pixel.depth };
-        let passes = !state.test || state.compare.passes(depth, *pixel.depth);
-        if passes {
-            *pixel.color = pen.entry.color;
-            if state.test && state.write {
-                *pixel.depth = depth;
-            }
-        }
-        passes
     }
 }
 
 impl Pen<'_> {
-    /// The depth of a pixel of the tile, rounded once.
-    fn depth(&self, pixel: [usize; 2], row: usize, across: usize, stats: &mut Stats) -> f32 {
-        let [low, high] = [0, 1].map(|end| (self.down[end][row] + self.across[across]) as f32 + 0.0);
-        if low == high {
-            return low;
-        }
-        stats.exact_depths += 1;
-        let tally = &mut Tally::default();
-        let plane = DepthPlane::new(self.entry.corners, Arithmetic::Exact, tally);
-        let [x, y] = [0, 1].map(|axis| self.job.origin[axis] + pixel[axis] as u32);
-        plane.depth([x, y], tally) + 0.0
-    }
-
     /// Bounds of the depths in the columns from `left` to before `right` of a band, counted as in `across`, within
     /// those of the vertices.
     #[inline(always)]
@@ -294,8 +230,6 @@ impl Pen<'_> {
     #[cold]
     #[inline(never)]
     fn edges(&self) -> Exact {
-        let points = self.entry.corners.map(|[x, y, _]| [x, y]);
-        let edges = Edges::new(points, &self.job.rules.raster, &mut Tally::default());
-        Exact { edges, origin: self.job.origin }
+        Exact::new(self.entry, &self.job)
     }
 }

@@ -54,7 +54,7 @@ impl Lanes {
 
     /// Runs a copy of `work` that was compiled for this unit, as far as it is inlined.
     #[inline]
-    pub(super) fn run<R>(self, work: impl FnOnce() -> R) -> R {
+    pub(crate) fn run<R>(self, work: impl FnOnce() -> R) -> R {
         match self.0 {
             Unit::Baseline => work(),
             #[cfg(target_arch = "x86_64")]

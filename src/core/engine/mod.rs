@@ -27,28 +27,37 @@
 mod bins;
 mod canvas;
 mod fill;
+mod ink;
 mod lanes;
+mod paint;
+mod pixels;
 mod rows;
 mod setup;
+mod small;
+mod state;
+mod stats;
 mod test;
+mod threads;
 mod tile;
+mod way;
 
 pub use canvas::{Canvas, Clear, Stencil};
 pub use lanes::Lanes;
+pub use paint::{PaintOrder, Painter};
+pub use state::{DepthStore, State};
+pub use stats::Stats;
+pub use threads::Threads;
 
-use crate::{
-    depth::{CompareFunction, DepthState},
-    pipeline::{Skip, Skips},
-    raster::{self, FillRule, YAxis},
-    stencil::StencilState,
-};
+use crate::pipeline::Skip;
 use bins::{Bins, NOWHERE};
-use canvas::TILE;
+use canvas::{Strip, TILE};
 use fill::Job;
+use state::Rules;
 use tile::Tile;
+use way::{Painted, Plain, Way};
 
 #[cfg(doc)]
-use crate::depth::DepthPlane;
+use crate::depth::{DepthPlane, DepthState};
 
 /// What is drawn by one call.
 #[derive(Clone, Copy, Debug)]
@@ -112,127 +121,12 @@ impl Triangles<'_> {
     }
 }
 
-/// How it is drawn.
-#[derive(Clone, Copy, Debug)]
-pub struct State {
-    /// The depth test.
-    pub depth: DepthState,
-    /// The stencil test, for canvases with stencil values.
-    pub stencil: Option<StencilState>,
-    /// Who draws a centre on an edge.
-    pub fill_rule: FillRule,
-    /// Which way the vertices' y and the rows grow.
-    pub y_axis: YAxis,
-    /// What is left out: `tile`, `hierarchical-z` and `clear` are looked at.
-    pub skips: Skips,
-    /// The vector unit.
-    pub lanes: Lanes,
-}
-
-impl Default for State {
-    /// Nearer ones win, top-left, y down, every skip, the widest unit.
-    fn default() -> Self {
-        Self {
-            depth: DepthState::default(),
-            stencil: None,
-            fill_rule: FillRule::default(),
-            y_axis: YAxis::default(),
-            skips: Skips::ALL,
-            lanes: Lanes::widest(),
-        }
-    }
-}
-
-impl State {
-    /// Whether nothing can happen to a pixel but that a lesser depth takes it over.
-    fn lowers_depths(&self) -> bool {
-        let DepthState { test, compare, write } = self.depth;
-        test && write && compare == CompareFunction::Less && self.stencil.is_none()
-    }
-}
-
-/// What one call did and left out.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Stats {
-    /// Triangles asked for.
-    pub triangles: u64,
-    /// Those with no pixel's centre in their box, or a coordinate that is no number.
-    pub culled: u64,
-    /// Pairs of a triangle and a tile that its box meets.
-    pub binned: u64,
-    /// Those of them where the triangle lies beside the tile: the skip `tile`.
-    pub beside: u64,
-    /// Those of them where it lies behind all that is drawn: the skip `hierarchical-z`.
-    pub behind: u64,
-    /// Blocks of 16 x 8 pixels where a triangle lies behind all that is drawn: the same skip.
-    pub hidden: u64,
-    /// Blocks of that size, or narrower ones around small triangles, whose pixels were looked at.
-    pub blocks: u64,
-    /// Tiles that needed no clearing, since nothing was drawn there: the skip `clear`.
-    pub clean: u64,
-    /// Areas, centres and depths that intervals did not decide.
-    pub exact_turns: u64,
-    /// Signs of edges asked for at centres.
-    pub exact_signs: u64,
-    /// Depths rounded exactly.
-    pub exact_depths: u64,
-}
-
-impl std::ops::AddAssign for Stats {
-    fn add_assign(&mut self, other: Self) {
-        self.triangles += other.triangles;
-        self.culled += other.culled;
-        self.binned += other.binned;
-        self.beside += other.beside;
-        self.behind += other.behind;
-        self.hidden += other.hidden;
-        self.blocks += other.blocks;
-        self.clean += other.clean;
-        self.exact_turns += other.exact_turns;
-        self.exact_signs += other.exact_signs;
-        self.exact_depths += other.exact_depths;
-    }
-}
-
-/// What the set-up of a triangle needs of a [`State`].
-#[derive(Clone, Copy, Debug)]
-struct Rules {
-    /// For the exact predicates; the size does not matter to them.
-    raster: raster::Settings,
-    /// Whether the first row of a box is drawn if it meets vertices: 0 never, 1 at a horizontal edge, 2 also
-    /// at a single vertex. The last row likewise.
-    first_row: f64,
-    last_row: f64,
-    /// The skips.
-    tile: bool,
-    hierarchical_z: bool,
-}
-
-impl Rules {
-    fn new(state: &State, size: [u32; 2]) -> Self {
-        let down = f64::from(state.y_axis == YAxis::Down);
-        let [first_row, last_row] = match state.fill_rule {
-            FillRule::TopLeft => [down, 1.0 - down],
-            FillRule::RightOfPoint => [1.0; 2],
-            FillRule::Inclusive => [2.0; 2],
-            FillRule::Strict => [0.0; 2],
-        };
-        let raster = raster::Settings {
-            fill_rule: state.fill_rule,
-            y_axis: state.y_axis,
-            ..raster::Settings::new(size)
-        };
-        let tile = state.skips.has(Skip::Tile);
-        let hierarchical_z = state.skips.has(Skip::HierarchicalZ) && state.lowers_depths();
-        Self { raster, first_row, last_row, tile, hierarchical_z }
-    }
-}
-
 /// The rasterizer, with the memory it keeps from call to call.
 #[derive(Debug, Default)]
 pub struct Engine {
     bins: Bins,
-    tile: Tile,
+    /// One for each thread that was needed so far.
+    tiles: Vec<Tile>,
 }
 
 impl Engine {
@@ -244,44 +138,97 @@ impl Engine {
         triangles: &Triangles<'_>,
         state: &State,
     ) -> Stats {
+        self.frame(canvas, clear, triangles, state, &Plain)
+    }
+
+    /// Draws triangles whose colours a painter gives; theirs do not matter. Fragments are counted.
+    pub fn paint<P: Painter>(
+        &mut self,
+        canvas: &mut Canvas,
+        clear: Option<Clear>,
+        triangles: &Triangles<'_>,
+        state: &State,
+        painter: &P,
+    ) -> Stats {
+        self.frame(canvas, clear, triangles, state, &Painted(painter))
+    }
+
+    fn frame<W: Way>(
+        &mut self,
+        canvas: &mut Canvas,
+        clear: Option<Clear>,
+        triangles: &Triangles<'_>,
+        state: &State,
+        way: &W,
+    ) -> Stats {
         let mut stats = Stats { triangles: triangles.len() as u64, ..Stats::default() };
         let size = canvas.size;
-        let rules = Rules::new(state, size);
-        let bins = &mut self.bins;
+        let rules = Rules::new(state, size, W::COUNTS);
+        let Self { bins, tiles } = self;
         bins.reset(size);
         state.lanes.run(
             #[inline(always)]
-            || bins.fill(triangles, size, &mut stats),
+            || bins.fill(triangles, size, W::COUNTS, &mut stats),
         );
         if let Some(clear) = &clear {
             canvas.expect(clear);
         }
-        let [columns, _] = canvas::tiles(size);
+        let frame = FrameJob { bins, clear, state, rules: &rules };
+        let strips = canvas.strips();
+        let threads = state.threads.worth(strips.len(), triangles.len());
+        if tiles.len() < threads {
+            tiles.resize_with(threads, Tile::default);
+        }
+        stats += threads::share(strips, &mut tiles[..threads], |strips, tile| {
+            let (mut kit, mut stats) = (way.kit(), Stats::default());
+            strips.for_each(|mut strip| frame.strip::<W>(&mut strip, tile, &mut kit, &mut stats));
+            stats
+        });
+        stats
+    }
+}
+
+/// What all tiles of a frame share.
+struct FrameJob<'f> {
+    bins: &'f Bins,
+    clear: Option<Clear>,
+    state: &'f State,
+    rules: &'f Rules,
+}
+
+impl FrameJob<'_> {
+    /// Draws a row of tiles.
+    fn strip<W: Way>(&self, strip: &mut Strip<'_>, tile: &mut Tile, kit: &mut W::Kit<'_>, stats: &mut Stats) {
+        let Self { bins, clear, state, rules } = *self;
         let keep = state.skips.has(Skip::Clear);
-        for index in 0..canvas.clean.len() {
-            let list = bins.list(index);
-            let origin = [index % columns, index / columns].map(|tile| (tile * TILE) as u32);
+        let columns = strip.clean.len();
+        for index in 0..columns {
+            let list = bins.list(strip.top as usize / TILE * columns + index);
+            let left = (index * TILE) as u32;
+            if clear.is_some() {
+                strip.painted[index] = [0; TILE];
+            }
             if list.is_empty() {
                 if let Some(clear) = &clear {
-                    if canvas.clean[index] && keep {
+                    if strip.clean[index] && keep {
                         stats.clean += 1;
+                        stats.clean_pixels += strip.pixels(left);
                     } else {
-                        self.tile.clear(clear);
-                        self.tile.store(canvas, origin);
+                        tile.clear(clear);
+                        tile.store(strip, left);
                     }
-                    canvas.clean[index] = true;
+                    strip.clean[index] = true;
                 }
                 continue;
             }
             stats.binned += list.len() as u64;
             match &clear {
-                Some(clear) => self.tile.clear(clear),
-                None => self.tile.load(canvas, origin),
+                Some(clear) => tile.clear(clear),
+                None => tile.load(strip, left),
             }
-            self.tile.draw(Job { origin, state, rules: &rules }, list, &mut stats);
-            self.tile.store(canvas, origin);
-            canvas.clean[index] = false;
+            W::draw(kit, tile, Job { origin: [left, strip.top], state, rules }, list, stats);
+            W::store(kit, tile, strip, (index, left), clear.as_ref(), stats);
+            strip.clean[index] = false;
         }
-        stats
     }
 }

@@ -3,7 +3,9 @@
 
 use super::{
     Stats,
+    bins::Entry,
     canvas::TILE,
+    fill::Job,
     lanes::{LANES, Wide, greatest, integer, least, mask},
     setup::Setup,
 };
@@ -22,6 +24,17 @@ pub(super) struct Rows {
     pub(super) last: u32,
     /// In all of them; of rows that are not asked for nothing is.
     pub(super) inner: [u32; 2],
+    /// How many of them go on to the left, in the tile beside.
+    pub(super) continued: u32,
+}
+
+/// Whether rows are asked if they go on in the tile to the left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Left {
+    /// They are not asked, or there is no tile.
+    Unasked,
+    /// They are, so that spans can be counted.
+    Asked,
 }
 
 /// Of rows `top..top + LANES`, those from `first` to before `last` are asked for.
@@ -38,7 +51,7 @@ impl Rows {
     pub(super) fn new(
         setup: &Setup,
         lane: usize,
-        band: Band,
+        (band, beside): (Band, Left),
         exact: impl Fn() -> Exact,
         stats: &mut Stats,
     ) -> Self {
@@ -57,7 +70,8 @@ impl Rows {
                 right[1][i] = least(right[1][i], along + r1);
             }
         }
-        let mut rows = Self { begin: [0; LANES], end: [0; LANES], first: 0, last: 0, inner: [0; 2] };
+        let mut rows =
+            Self { begin: [0; LANES], end: [0; LANES], first: 0, last: 0, inner: [0; 2], continued: 0 };
         let [left_low, left_high] = [column(&left[0]), column(&left[1])];
         let [right_low, right_high] = [column(&right[0]), column(&right[1])];
         let mut doubt = 0;
@@ -74,7 +88,27 @@ impl Rows {
             rows = exact().rows(band, rows, [[left_low, left_high], [right_low, right_high]], stats);
         }
         rows.extent();
+        if beside == Left::Asked {
+            for i in 0..LANES {
+                if rows.begin[i] == 0 && rows.end[i] > 0 && left[0][i] <= -1.0 {
+                    let goes_on = left[1][i] <= -1.0 || exact().covers_left(band.top + i as u32, stats);
+                    rows.continued += u32::from(goes_on);
+                }
+            }
+        }
         rows
+    }
+
+    /// Counts the pixels of all rows, and the spans that begin here.
+    #[inline(always)]
+    pub(super) fn count(&self, stats: &mut Stats) {
+        let (mut pixels, mut rows) = (0, 0);
+        for i in 0..LANES {
+            pixels += self.end[i] - self.begin[i];
+            rows += u32::from(self.end[i] > 0);
+        }
+        stats.fragments += u64::from(pixels);
+        stats.spans += u64::from(rows - self.continued);
     }
 
     #[inline(always)]
@@ -94,7 +128,7 @@ impl Rows {
 
 /// The first column at or behind a coordinate, within the tile or one past it.
 #[inline(always)]
-fn column(at: &Wide) -> [u32; LANES] {
+pub(super) fn column(at: &Wide) -> [u32; LANES] {
     let mut columns = [0; LANES];
     for i in 0..LANES {
         columns[i] = integer(least(greatest(at[i], 0.0), WIDTH).ceil());
@@ -109,31 +143,53 @@ pub(super) struct Exact {
 }
 
 impl Exact {
+    /// Of a triangle in the tile of a job.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn new(entry: &Entry, job: &Job<'_>) -> Self {
+        let points = entry.corners.map(|[x, y, _]| [x, y]);
+        let edges = Edges::new(points, &job.rules.raster, &mut Tally::default());
+        Self { edges, origin: job.origin }
+    }
+
     /// The rows of a band, given the columns between which each of them begins and ends: where these differ, exact
     /// signs decide.
     #[cold]
     #[inline(never)]
     fn rows(&self, band: Band, mut rows: Rows, sides: [[[u32; LANES]; 2]; 2], stats: &mut Stats) -> Rows {
-        let Some(Edges(edges)) = &self.edges else { return rows };
         for row in band.first.max(band.top)..band.last.min(band.top + LANES as u32) {
             let i = (row - band.top) as usize;
-            let [left, right] = sides.map(|[low, high]| [low[i], high[i]]);
-            if left[0] == left[1] && right[0] == right[1] {
-                continue;
+            let sides = sides.map(|[low, high]| [low[i], high[i]]);
+            if sides.iter().any(|[low, high]| low != high) {
+                [rows.begin[i], rows.end[i]] = self.row(row, sides, stats);
             }
-            let (mut begin, mut end) = (left[0], right[1]);
-            for edge in edges.iter().filter(|edge| edge.ends[0][1] != edge.ends[1][1]) {
-                if edge.is_left() {
-                    begin = self.end(edge, row, [begin, left[1]], stats);
-                } else {
-                    end = self.end(edge, row, [right[0], end], stats);
-                }
-            }
-            let some = begin < end;
-            rows.begin[i] = if some { begin } else { 0 };
-            rows.end[i] = if some { end } else { 0 };
         }
         rows
+    }
+
+    /// The columns of one row, from the first to before the last, given those between which each of them lies; 0 and
+    /// 0 of an empty row.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn row(&self, row: u32, [left, right]: [[u32; 2]; 2], stats: &mut Stats) -> [u32; 2] {
+        let Some(Edges(edges)) = &self.edges else { return [0; 2] };
+        let (mut begin, mut end) = (left[0], right[1]);
+        for edge in edges.iter().filter(|edge| edge.ends[0][1] != edge.ends[1][1]) {
+            if edge.is_left() {
+                begin = self.end(edge, row, [begin, left[1]], stats);
+            } else {
+                end = self.end(edge, row, [right[0], end], stats);
+            }
+        }
+        if begin < end { [begin, end] } else { [0; 2] }
+    }
+
+    /// Whether the pixel to the left of the tile is covered too, if the first one in it is.
+    pub(super) fn covers_left(&self, row: u32, stats: &mut Stats) -> bool {
+        let Some(Edges(edges)) = &self.edges else { return false };
+        let centre = [self.origin[0] as f32 - 0.5, (self.origin[1] + row) as f32 + 0.5];
+        stats.exact_signs += 1;
+        edges.iter().all(|edge| edge.draws(edge.side(centre, &mut Tally::default())))
     }
 
     /// The first column of a tile's row from which on an edge draws (a left one) or no longer draws, as far as

@@ -8,10 +8,11 @@
 //! added from row to row, and each number is an interval around the exact one.
 
 use super::{
-    Rules, Stats,
+    Stats,
     bins::Entry,
     canvas::TILE,
     lanes::{LANES, Wide, greatest, integer, least},
+    state::Rules,
 };
 use crate::math::{Sign, Tally, orient2d, predicates::ORIENT2D_FILTER};
 
@@ -50,6 +51,8 @@ pub(super) struct Setup {
     pub(super) range: [Wide; 2],
     /// No pixel of these rows and columns is nearer.
     pub(super) nearest: Wide,
+    /// Which of them lie behind all pixels of the tile, if they are counted nevertheless.
+    pub(super) behind: [bool; LANES],
 }
 
 impl Setup {
@@ -80,6 +83,7 @@ impl Setup {
             dz_dy: [0.0; LANES],
             range: [[0.0; LANES]; 2],
             nearest: [0.0; LANES],
+            behind: [false; LANES],
         };
         let turns = setup.plane(&vertices, entries, shift, stats);
         setup.bounds(&vertices, shift, &turns, rules);
@@ -90,7 +94,7 @@ impl Setup {
             setup.reject(stats);
         }
         if rules.hierarchical_z {
-            setup.hide(farthest, stats);
+            setup.hide(farthest, rules, stats);
         }
         setup
     }
@@ -227,9 +231,9 @@ impl Setup {
 }
 
 impl Setup {
-    /// Empties the rows of triangles that lie behind all pixels of the tile.
+    /// Empties the rows of triangles that lie behind all pixels of the tile, unless they are to be counted.
     #[inline(always)]
-    fn hide(&mut self, farthest: f32, stats: &mut Stats) {
+    fn hide(&mut self, farthest: f32, rules: &Rules, stats: &mut Stats) {
         let farthest = f64::from(farthest);
         for i in 0..LANES {
             let [left, right] = [f64::from(self.columns[0][i]), f64::from(self.columns[1][i]) - 1.0];
@@ -242,7 +246,8 @@ impl Setup {
             let hidden = u32::from(self.nearest[i] >= farthest);
             let any = u32::from(self.rows[0][i] < self.rows[1][i]);
             stats.behind += u64::from(hidden & any);
-            self.rows[1][i] *= 1 - hidden;
+            self.behind[i] = hidden != 0;
+            self.rows[1][i] *= 1 - (hidden & u32::from(!rules.counts));
         }
     }
 }

@@ -1,10 +1,19 @@
 //! The depth test of many pixels at once.
 
-use super::lanes::mask;
+use super::{
+    DepthStore,
+    lanes::{greatest, least, mask},
+};
 use crate::depth::DepthState;
 
 /// Decides about depths that are known as intervals.
 pub(super) trait Test: Copy {
+    /// Whether there is a stencil test before.
+    const STENCIL: bool;
+
+    /// What is stored for a depth that lies between two: that for the least and that for the greatest.
+    fn ends(&self, near: f64, far: f64) -> [f32; 2];
+
     /// All bits if a depth passes against the stored one, else none.
     fn passes(&self, new: f32, stored: f32) -> u32;
 
@@ -21,6 +30,13 @@ pub(super) trait Test: Copy {
 pub(super) struct Nearer;
 
 impl Test for Nearer {
+    const STENCIL: bool = false;
+
+    #[inline(always)]
+    fn ends(&self, near: f64, far: f64) -> [f32; 2] {
+        [near as f32, far as f32]
+    }
+
     #[inline(always)]
     fn passes(&self, new: f32, stored: f32) -> u32 {
         mask(new < stored)
@@ -61,6 +77,13 @@ impl Any {
 }
 
 impl Test for Any {
+    const STENCIL: bool = false;
+
+    #[inline(always)]
+    fn ends(&self, near: f64, far: f64) -> [f32; 2] {
+        [near as f32, far as f32]
+    }
+
     #[inline(always)]
     fn passes(&self, new: f32, stored: f32) -> u32 {
         self.less & mask(new < stored) | self.equal & mask(new == stored) | self.greater & mask(new > stored)
@@ -74,5 +97,79 @@ impl Test for Any {
     #[inline(always)]
     fn written(&self) -> u32 {
         self.written
+    }
+}
+
+/// Any state over the codes of a unorm format, which binary32 holds as whole numbers.
+#[derive(Clone, Copy)]
+pub(super) struct Codes {
+    state: Any,
+    max: f64,
+}
+
+impl Codes {
+    /// `None` for a format that stores the depth itself.
+    pub(super) fn new(state: DepthState, store: DepthStore) -> Option<Self> {
+        Some(Self { state: Any::new(state), max: f64::from(store.max_code()?) })
+    }
+
+    /// The code of a depth is `floor(max z + 1/2)`, within the codes. `slack` is more than what the product and
+    /// the sum, below 2^25, are off by.
+    #[inline(always)]
+    fn code(self, depth: f64, slack: f64) -> f32 {
+        greatest(least((depth * self.max + 0.5 + slack).floor(), self.max), 0.0) as f32
+    }
+}
+
+impl Test for Codes {
+    const STENCIL: bool = false;
+
+    #[inline(always)]
+    fn ends(&self, near: f64, far: f64) -> [f32; 2] {
+        const SLACK: f64 = 1.0 / (1 << 24) as f64;
+        [self.code(near, -SLACK), self.code(far, SLACK)]
+    }
+
+    #[inline(always)]
+    fn passes(&self, new: f32, stored: f32) -> u32 {
+        self.state.passes(new, stored)
+    }
+
+    #[inline(always)]
+    fn matters(&self, covered: u32, passes: u32) -> u32 {
+        self.state.matters(covered, passes)
+    }
+
+    #[inline(always)]
+    fn written(&self) -> u32 {
+        self.state.written()
+    }
+}
+
+/// The same behind a stencil test.
+#[derive(Clone, Copy)]
+pub(super) struct Masked<T>(pub(super) T);
+
+impl<T: Test> Test for Masked<T> {
+    const STENCIL: bool = true;
+
+    #[inline(always)]
+    fn ends(&self, near: f64, far: f64) -> [f32; 2] {
+        self.0.ends(near, far)
+    }
+
+    #[inline(always)]
+    fn passes(&self, new: f32, stored: f32) -> u32 {
+        self.0.passes(new, stored)
+    }
+
+    #[inline(always)]
+    fn matters(&self, covered: u32, passes: u32) -> u32 {
+        self.0.matters(covered, passes)
+    }
+
+    #[inline(always)]
+    fn written(&self) -> u32 {
+        self.0.written()
     }
 }

@@ -4,8 +4,10 @@
 //! *Source:* Greene, Kass, Miller, Hierarchical Z-Buffer Visibility, SIGGRAPH 1993 (one level of it: blocks).
 
 use super::{
-    canvas::{Canvas, Clear, TILE},
+    Stats,
+    canvas::{Clear, Strip, TILE},
     lanes::LANES,
+    paint::{Brushes, Painter},
 };
 use std::ops::Range;
 
@@ -30,6 +32,8 @@ pub(super) struct Tile {
     color: Box<Aligned<[u32; PIXELS]>>,
     depth: Box<Aligned<[f32; PIXELS]>>,
     stencil: Box<[u8; PIXELS]>,
+    /// Which pixels of each row were painted one fragment after another.
+    touched: [u64; TILE],
     /// No pixel of a block is farther, and how many pieces were drawn there since that was found.
     farthest: [f32; BLOCKS],
     drawn: [u8; BLOCKS],
@@ -41,6 +45,7 @@ impl Default for Tile {
             color: Box::new(Aligned([0; PIXELS])),
             depth: Box::new(Aligned([0.0; PIXELS])),
             stencil: Box::new([0; PIXELS]),
+            touched: [0; TILE],
             farthest: [0.0; BLOCKS],
             drawn: [0; BLOCKS],
         }
@@ -60,50 +65,107 @@ impl Tile {
         self.color.0.fill(u32::from_ne_bytes(clear.color));
         self.depth.0.fill(clear.depth);
         self.stencil.fill(clear.stencil);
+        self.touched = [0; TILE];
         (self.farthest, self.drawn) = ([clear.depth; BLOCKS], [0; BLOCKS]);
     }
 
-    /// Takes the pixels of a canvas; `origin` is the first.
-    pub(super) fn load(&mut self, canvas: &Canvas, origin: [u32; 2]) {
-        for (range, at) in spans(canvas, origin) {
-            let color = self.color.0[at..].iter_mut().zip(&canvas.color[range.clone()]);
+    /// Takes the pixels of a strip from column `left` on.
+    pub(super) fn load(&mut self, strip: &Strip<'_>, left: u32) {
+        for (range, at) in strip.rows(left) {
+            let codes = strip.color[4 * range.start..4 * range.end].as_chunks().0;
+            let color = self.color.0[at..].iter_mut().zip(codes);
             color.for_each(|(pixel, codes)| *pixel = u32::from_ne_bytes(*codes));
-            self.depth.0[at..at + range.len()].copy_from_slice(&canvas.depth[range.clone()]);
-            if let Some(stencil) = canvas.stencil.get(range.clone()) {
+            self.depth.0[at..at + range.len()].copy_from_slice(&strip.depth[range.clone()]);
+            if let Some(stencil) = strip.stencil.get(range.clone()) {
                 self.stencil[at..at + range.len()].copy_from_slice(stencil);
             }
         }
+        self.touched = [0; TILE];
         (self.farthest, self.drawn) = ([f32::INFINITY; BLOCKS], [PATIENCE; BLOCKS]);
     }
 
+    /// Forgets the colours: from now on they are numbers of triangles, of which 0 is none.
+    pub(super) fn number(&mut self) {
+        self.color.0.fill(0);
+    }
+
     /// Gives them back.
-    pub(super) fn store(&self, canvas: &mut Canvas, origin: [u32; 2]) {
-        for (range, at) in spans(canvas, origin) {
-            let color = canvas.color[range.clone()].iter_mut().zip(&self.color.0[at..]);
+    pub(super) fn store(&self, strip: &mut Strip<'_>, left: u32) {
+        for (range, at) in strip.rows(left) {
+            let codes = strip.color[4 * range.start..4 * range.end].as_chunks_mut().0;
+            let color = codes.iter_mut().zip(&self.color.0[at..]);
             color.for_each(|(codes, pixel)| *codes = pixel.to_ne_bytes());
-            canvas.depth[range.clone()].copy_from_slice(&self.depth.0[at..at + range.len()]);
-            if let Some(stencil) = canvas.stencil.get_mut(range.clone()) {
-                stencil.copy_from_slice(&self.stencil[at..at + range.len()]);
-            }
+            self.store_depth(strip, range, at);
         }
+    }
+
+    fn store_depth(&self, strip: &mut Strip<'_>, range: Range<usize>, at: usize) {
+        strip.depth[range.clone()].copy_from_slice(&self.depth.0[at..at + range.len()]);
+        if let Some(stencil) = strip.stencil.get_mut(range.clone()) {
+            stencil.copy_from_slice(&self.stencil[at..at + range.len()]);
+        }
+    }
+
+    /// Gives depths and stencil values back, and paints the pixels with the triangles that their numbers name; the
+    /// others are cleared if `clear` says to what. Counts the pixels that are painted.
+    pub(super) fn store_painted<P: Painter>(
+        &mut self,
+        strip: &mut Strip<'_>,
+        left: u32,
+        clear: Option<&Clear>,
+        brushes: &mut Brushes<'_, P>,
+        stats: &mut Stats,
+    ) {
+        for (row, (range, at)) in strip.rows(left).enumerate() {
+            let codes = strip.color[4 * range.start..4 * range.end].as_chunks_mut().0;
+            if let Some(clear) = clear {
+                codes.fill(clear.color);
+            }
+            let numbers = &self.color.0[at..at + range.len()];
+            let y = strip.top + row as u32;
+            let (mut x, mut touched) = (0, 0);
+            for run in numbers.chunk_by(|a, b| a == b) {
+                let end = x + run.len();
+                if let Some(triangle) = run[0].checked_sub(1) {
+                    brushes.paint(triangle, [left + x as u32, y], &mut codes[x..end], stats);
+                    touched |= u64::MAX >> (64 - run.len()) << x;
+                }
+                x = end;
+            }
+            self.touched[row] = touched;
+            self.store_depth(strip, range, at);
+        }
+    }
+
+    /// Adds the pixels that were painted to those that were before, and counts the new ones.
+    pub(super) fn mark(&self, painted: &mut [u64; TILE], stats: &mut Stats) {
+        for (painted, touched) in painted.iter_mut().zip(self.touched) {
+            stats.pixels += u64::from((touched & !*painted).count_ones());
+            *painted |= touched;
+        }
+    }
+
+    /// Pixels of a row are painted: a bit each, from column x on.
+    #[inline(always)]
+    pub(super) fn touch(&mut self, [x, y]: [usize; 2], pixels: u64) {
+        self.touched[y % TILE] |= pixels << (x % TILE);
     }
 
     /// Counts what is drawn in the blocks from column `x` on: what is known of them grows old.
     #[inline(always)]
-    pub(super) fn age(&mut self, x: usize, y: usize) {
-        for x in [x, x + BLOCK - 1] {
+    pub(super) fn age(&mut self, x: usize, y: usize, columns: usize) {
+        for x in [x, x + columns - 1] {
             let drawn = &mut self.drawn[block_at(x, y)];
             *drawn = drawn.saturating_add(1);
         }
     }
 
-    /// One row of a block, or of another place as wide: depths and colours.
+    /// Some neighbouring pixels of a row: depths and colours.
     #[inline(always)]
-    pub(super) fn row(&mut self, x: usize, y: usize) -> (&mut [f32; BLOCK], &mut [u32; BLOCK]) {
-        const LAST: usize = PIXELS - BLOCK;
-        let at = (y * TILE + x).min(LAST);
-        let depths = &mut self.depth.0[at..at + BLOCK].as_chunks_mut().0[0];
-        let colors = &mut self.color.0[at..at + BLOCK].as_chunks_mut().0[0];
+    pub(super) fn row<const N: usize>(&mut self, x: usize, y: usize) -> (&mut [f32; N], &mut [u32; N]) {
+        let at = (y * TILE + x).min(PIXELS - N);
+        let depths = &mut self.depth.0[at..at + N].as_chunks_mut().0[0];
+        let colors = &mut self.color.0[at..at + N].as_chunks_mut().0[0];
         (depths, colors)
     }
 
@@ -121,7 +183,7 @@ impl Tile {
             self.drawn[block] = 0;
             let mut farthest = [f32::NEG_INFINITY; BLOCK];
             for row in 0..LANES {
-                let depths = *self.row(x & !(BLOCK - 1), y / LANES * LANES + row).0;
+                let depths = *self.row::<BLOCK>(x & !(BLOCK - 1), y / LANES * LANES + row).0;
                 for i in 0..BLOCK {
                     farthest[i] = greatest(farthest[i], depths[i]);
                 }
@@ -172,15 +234,4 @@ fn greatest_of(values: &[f32; BLOCK]) -> f32 {
 #[inline(always)]
 fn block_at(x: usize, y: usize) -> usize {
     (y / LANES * ACROSS + x / BLOCK) % BLOCKS
-}
-
-/// The rows of a canvas in a tile: where they lie in the canvas and where in the tile.
-fn spans(canvas: &Canvas, [x, y]: [u32; 2]) -> impl Iterator<Item = (Range<usize>, usize)> + use<> {
-    let [width, height] = canvas.size.map(|pixels| pixels as usize);
-    let (x, y) = (x as usize, y as usize);
-    let columns = TILE.min(width - x);
-    (0..TILE.min(height - y)).map(move |row| {
-        let at = (y + row) * width + x;
-        (at..at + columns, row * TILE)
-    })
 }

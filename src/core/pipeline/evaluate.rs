@@ -1,14 +1,14 @@
 //! The whole pipeline, recomputed only where something changed.
 
 use super::{
-    Bounding, Frame, Skip, Skips, Stats,
+    Bounding, Frame, Rasterizer, Skip, Skips, Stats,
     draw::{DrawOutputs, DrawRuns, Shared},
     fragments::{FragmentState, ImageState, Target},
     screen_triangle::ScreenTriangle,
+    whole::Whole,
 };
 use crate::{
     memo::Memo,
-    raster::Algorithm,
     scene::Scene,
     transform::{Matrix, Viewport, matrices},
 };
@@ -47,19 +47,37 @@ type ImageKey = (ImageState, Vec<([u64; 3], FragmentState)>);
 /// image. Scenes are compared by the order of their draws.
 #[derive(Debug, Default)]
 pub struct Pipeline {
-    /// Which algorithm converts triangles to pixels; all give the same image.
-    pub algorithm: Algorithm,
+    /// What turns triangles into pixels; all give the same image.
+    pub rasterizer: Rasterizer,
     /// What stands for an object in the skip `object-frustum`; all give the same image.
     pub bounding: Bounding,
     outputs: Outputs,
     image: Memo<ImageKey, ()>,
-    target: Option<Target>,
+    drawn: Option<Drawn>,
+}
+
+/// The image with what it keeps for the next one.
+#[derive(Debug)]
+enum Drawn {
+    /// By the engine.
+    Whole(Whole),
+    /// One triangle after another.
+    Each(Target),
+}
+
+impl Drawn {
+    fn stats(&self) -> &Stats {
+        match self {
+            Self::Whole(whole) => whole.stats(),
+            Self::Each(target) => target.stats(),
+        }
+    }
 }
 
 impl Pipeline {
     /// An empty pipeline with a rasterizer of choice.
-    pub fn new(algorithm: Algorithm) -> Self {
-        Self { algorithm, ..Self::default() }
+    pub fn new(rasterizer: impl Into<Rasterizer>) -> Self {
+        Self { rasterizer: rasterizer.into(), ..Self::default() }
     }
 
     /// The outputs of the last run.
@@ -87,7 +105,7 @@ impl Pipeline {
     /// Without the skip `memo` everything is computed anew and the counts of runs start again.
     pub fn update(&mut self, scene: &Scene, skips: &Skips) -> &Outputs {
         if !skips.has(Skip::Memo) {
-            *self = Self { bounding: self.bounding, ..Self::new(self.algorithm) };
+            *self = Self { bounding: self.bounding, ..Self::new(self.rasterizer) };
         }
         let runs = |outputs: &Outputs| outputs.draws.iter().map(|draw| draw.runs().total()).sum::<usize>();
         let before = runs(&self.outputs) + self.image.runs();
@@ -97,7 +115,7 @@ impl Pipeline {
         let ran = (runs(&self.outputs) + self.image.runs()).saturating_sub(before);
         let mut stats = Stats::default();
         self.outputs.draws.iter().for_each(|draw| draw.count(&mut stats));
-        self.target.iter().for_each(|target| stats.add(target.stats()));
+        self.drawn.iter().for_each(|drawn| stats.add(drawn.stats()));
         stats.skip(Skip::Memo, stages.saturating_sub(ran) as u64);
         self.outputs.frame.stats = stats;
         &self.outputs
@@ -133,22 +151,51 @@ impl Pipeline {
 
     /// Draws the image if anything it depends on changed.
     fn draw_image(&mut self, scene: &Scene, skips: &Skips) {
-        let Self { algorithm, outputs: Outputs { draws, frame, .. }, image, target, .. } = self;
-        let state = ImageState::new(scene, *algorithm, *skips);
+        let Self { rasterizer, outputs: Outputs { draws, frame, .. }, image, drawn, .. } = self;
+        let state = ImageState::new(scene, *rasterizer, *skips);
         let states = draws.iter().zip(&scene.draws);
         let states = states.map(|(outputs, draw)| (outputs.revisions(), FragmentState::new(draw)));
         image.get((state, states.collect()), |(_, states)| {
-            let target = match target {
-                Some(target) => {
-                    target.clear(state, frame);
-                    target
-                }
-                None => target.insert(Target::new(state, frame)),
-            };
-            for (draw, (_, state)) in draws.iter().zip(states) {
-                target.draw(draw, state, frame);
+            let states: Vec<_> = states.iter().map(|(_, state)| *state).collect();
+            if state.rasterizer == Rasterizer::Engine && Whole::can_draw(&state, &states) {
+                draw_whole(drawn, &state, (draws, &states), frame);
+            } else {
+                draw_each(drawn, state, (draws, &states), frame);
             }
-            target.finish(frame, states.iter().map(|(_, state)| state));
         });
     }
+}
+
+fn draw_whole(
+    drawn: &mut Option<Drawn>,
+    state: &ImageState,
+    (draws, states): (&[DrawOutputs], &[FragmentState]),
+    frame: &mut Frame,
+) {
+    if !matches!(drawn, Some(Drawn::Whole(whole)) if whole.fits(state, frame)) {
+        *drawn = Whole::new(state, frame).map(Drawn::Whole);
+    }
+    if let Some(Drawn::Whole(whole)) = drawn {
+        whole.draw(state, draws, states, frame);
+    }
+}
+
+fn draw_each(
+    drawn: &mut Option<Drawn>,
+    state: ImageState,
+    (draws, states): (&[DrawOutputs], &[FragmentState]),
+    frame: &mut Frame,
+) {
+    let mut target = match drawn.take() {
+        Some(Drawn::Each(mut target)) => {
+            target.clear(state, frame);
+            target
+        }
+        _ => Target::new(state, frame),
+    };
+    for (draw, state) in draws.iter().zip(states) {
+        target.draw(draw, state, frame);
+    }
+    target.finish(frame, states.iter());
+    *drawn = Some(Drawn::Each(target));
 }

@@ -1,23 +1,20 @@
 //! From screen triangles to the image: scan conversion, stencil, depth, blend, write.
 
 use super::{
-    Frame, Skip, Skips, Stats,
+    Frame, PixelCounts, Rasterizer, Skip, Skips, Stats,
+    counts::Counts,
     draw::DrawOutputs,
     frame::stored_depth,
     multisample::Multisample,
     shader::{Color, Shader},
-    stats::Reason,
 };
 use crate::{
     blend::{AlphaTest, BlendState},
     depth::{DepthBuffer, DepthFormat, DepthPlacement, DepthRow, DepthRows, DepthState, Early},
     interpolate::unorm,
     math::Tally,
-    raster::{
-        Algorithm, FillRule, Samples, Scissor, Settings, Span, YAxis, cover, cover_samples, edge::centre,
-    },
+    raster::{FillRule, Samples, Scissor, Settings, Span, YAxis, cover, edge::centre},
     scene::{Clear, Draw, Scene, Texture},
-    stage::Stage,
     stencil::{StencilOutcome, StencilState},
 };
 use std::ops::Range;
@@ -63,12 +60,12 @@ pub(super) struct ImageState {
     pub(super) samples: Samples,
     pub(super) fill_rule: FillRule,
     pub(super) y_axis: YAxis,
-    pub(super) algorithm: Algorithm,
+    pub(super) rasterizer: Rasterizer,
     pub(super) skips: Skips,
 }
 
 impl ImageState {
-    pub(super) fn new(scene: &Scene, algorithm: Algorithm, skips: Skips) -> Self {
+    pub(super) fn new(scene: &Scene, rasterizer: Rasterizer, skips: Skips) -> Self {
         Self {
             size: scene.size,
             clear: scene.clear,
@@ -77,7 +74,7 @@ impl ImageState {
             samples: Samples::try_from(scene.samples).unwrap_or_default(),
             fill_rule: scene.fill_rule,
             y_axis: scene.y_axis,
-            algorithm,
+            rasterizer,
             skips,
         }
     }
@@ -116,25 +113,10 @@ pub(super) struct Target {
     pub(super) multisample: Option<Multisample>,
     /// Fragments counted during one image.
     pub(super) counts: Counts,
+    /// Who counts pixel by pixel, if somebody asks.
+    pub(super) watch: Option<Box<PixelCounts>>,
     /// What the last image counted.
     stats: Stats,
-}
-
-#[derive(Debug, Default)]
-pub(super) struct Counts {
-    pieces: u64,
-    pub(super) spans: u64,
-    pub(super) fragments: u64,
-    carried: u64,
-    pub(super) scissored: u64,
-    pub(super) discarded: u64,
-    /// Either test.
-    pub(super) failed: u64,
-    pub(super) stencil_failed: u64,
-    pub(super) redrawn: u64,
-    pub(super) never_colored: u64,
-    row_skipped: u64,
-    pub(super) tally: Tally,
 }
 
 impl Target {
@@ -157,6 +139,7 @@ impl Target {
             touched,
             written: vec![false; pixels],
             counts: Counts::default(),
+            watch: None,
             stats: Stats::default(),
         }
     }
@@ -195,31 +178,14 @@ impl Target {
         for piece in pieces {
             let corners = piece.corners.map(|i| screen[i as usize]);
             if piece.carried {
-                self.carry(corners.map(|[x, y, ..]| [x, y]));
+                self.counts.carry(corners.map(|[x, y, ..]| [x, y]), &self.state);
                 continue;
             }
+            self.watch.iter_mut().for_each(|watch| watch.next());
             if let Some(shader) = Shader::new(draw, piece, state.texture, &mut self.counts.tally) {
                 self.triangle(corners, &shader, state, frame);
             }
         }
-    }
-
-    /// A triangle whose fragments are dropped.
-    fn carry(&mut self, vertices: [[f32; 2]; 3]) {
-        let Counts { spans, fragments, carried, row_skipped, tally, .. } = &mut self.counts;
-        if self.multisample.is_some() {
-            let (samples, settings) = (self.state.samples, self.state.settings());
-            let mut pixels = 0;
-            cover_samples(vertices, samples, &settings, tally, &mut |_, _| pixels += 1);
-            *fragments += pixels;
-            *carried += pixels;
-            return;
-        }
-        let counts =
-            cover(self.state.algorithm, vertices, &self.state.settings(), tally, &mut |_| *spans += 1);
-        *row_skipped += counts.skipped;
-        *fragments += counts.covered;
-        *carried += counts.covered;
     }
 
     fn triangle(
@@ -238,7 +204,7 @@ impl Target {
         }
         let depths = DepthRows::new(corners.map(|[x, y, z, _]| [x, y, z]), self.state.format, &mut tally)
             .placed(&state.placement, &mut tally);
-        let counts = cover(self.state.algorithm, vertices, &settings, &mut tally, &mut |span| {
+        let counts = cover(self.state.rasterizer.algorithm(), vertices, &settings, &mut tally, &mut |span| {
             self.span(span, &depths.row(span.y), shader, state, frame);
         });
         self.counts.row_skipped += counts.skipped;
@@ -258,8 +224,10 @@ impl Target {
         let (span, scissored) = state.scissored(span);
         self.counts.scissored += scissored;
         self.touch(span);
-        let Self { state: image, depth, written, counts, .. } = self;
+        let Self { state: image, depth, written, counts, watch, .. } = self;
         let range = frame.index([span.begin, span.y])..frame.index([span.end, span.y]);
+        watch.iter_mut().for_each(|watch| watch.generated(range.clone()));
+        let first = range.start;
         let colors = frame.color[4 * range.start..4 * range.end].as_chunks_mut().0;
         let stored = depth.codes_mut(range.clone()).iter_mut().zip(&mut frame.stencil[range.clone()]);
         let pixels = colors.iter_mut().zip(stored).zip(&mut written[range]);
@@ -289,6 +257,7 @@ impl Target {
             let paint = paint.unwrap_or_else(|| Paint::new(shader, state, pixel, tally));
             *color = paint.over(*color, state, tally);
             *redrawn += u64::from(std::mem::replace(written, true));
+            watch.iter_mut().for_each(|watch| watch.written(first + (x - span.begin) as usize));
         }
         counts.failed += failed;
         counts.never_colored += if early { failed } else { 0 };
@@ -321,30 +290,7 @@ impl Target {
                 copy[range.clone()].copy_from_slice(&codes[range]);
             }
         }
-        let (counts, stats) = (&self.counts, &mut self.stats);
-        let any = |uses: fn(&FragmentState) -> bool| states.clone().any(uses);
-        let drawn = counts.fragments - counts.carried - counts.scissored - counts.discarded;
-        let after_stencil = drawn - counts.stencil_failed;
-        let written = drawn - counts.failed;
-        let mut set = |stage: Stage, came: u64, went: u64, on: bool| {
-            let count = stats.stage_mut(stage);
-            (count.came, count.went, count.on) = (came, went, on);
-        };
-        set(Stage::ScanConversion, counts.pieces, counts.spans, true);
-        set(Stage::Fragments, counts.spans, drawn, true);
-        set(Stage::Stencil, drawn, after_stencil, any(|state| state.stencil.is_some()));
-        set(Stage::Depth, after_stencil, written, any(|state| state.depth.test));
-        set(Stage::Blend, written, written, any(|state| state.blend.is_some()));
-        set(Stage::Image, written, written - counts.redrawn, true);
-        stats.stage_mut(Stage::Fragments).drop(Reason::Carried, counts.carried);
-        stats.stage_mut(Stage::Fragments).drop(Reason::Scissor, counts.scissored);
-        stats.stage_mut(Stage::Fragments).drop(Reason::Discarded, counts.discarded);
-        stats.stage_mut(Stage::Stencil).drop(Reason::Stencil, counts.stencil_failed);
-        stats.stage_mut(Stage::Depth).drop(Reason::Depth, counts.failed - counts.stencil_failed);
-        stats.stage_mut(Stage::Image).drop(Reason::Redrawn, counts.redrawn);
-        stats.skip(Skip::Row, counts.row_skipped);
-        stats.skip(Skip::EarlyZ, counts.never_colored);
-        stats.tally += counts.tally;
+        self.counts.add_to(&mut self.stats, states);
     }
 
     /// What the last image counted, from scan conversion on.

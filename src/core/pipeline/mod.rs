@@ -5,26 +5,32 @@
 //! and degeneracy are decided once, by the unclipped vertices. Every piece of work that can be left
 //! out has a switch in [`Skips`] and a counter in [`Stats`], and never changes the image.
 
+mod counts;
 mod cut;
 mod draw;
 mod enlarged;
 mod evaluate;
 mod fragments;
 mod frame;
+mod gradient;
 mod multisample;
 mod names;
 mod objects;
 mod outcome;
+mod overlay;
 mod pixel;
 mod pixel_why;
 mod pixel_words;
 mod range;
+mod rasterizer;
 mod screen_triangle;
 mod shader;
 mod skips;
 mod stages;
 mod stats;
 mod visible;
+mod watch;
+mod whole;
 
 pub use draw::{DrawOutputs, DrawRuns};
 pub use enlarged::enlarged_triangles;
@@ -33,19 +39,22 @@ pub use frame::Frame;
 pub use names::{draw_name, screen_names, triangle_name};
 pub use objects::Bounding;
 pub use outcome::{Later, Outcome, PixelEntry, PixelHistory, Placed};
+pub use overlay::{Changed, Layer, Overlay, Wires};
 pub use pixel::{pixel_history, pixel_history_of};
 pub use range::out_of_range;
+pub use rasterizer::Rasterizer;
 pub use screen_triangle::ScreenTriangle;
 pub use skips::{Skip, Skips};
 pub use stages::{Clipped, ClippedPolygon, Culled, Decision, Fate, Piece, Point};
 pub use stats::{Reason, StageCount, Stats, Unit};
 pub use visible::{Planes, Removed};
+pub use watch::PixelCounts;
 
-use crate::{raster::Algorithm, scene::Scene};
+use crate::scene::Scene;
 
 /// Draws a resolved scene; a model that is not loaded draws nothing.
 pub fn render(scene: &Scene, skips: &Skips) -> Frame {
-    let mut pipeline = Pipeline::new(Algorithm::Scanline);
+    let mut pipeline = Pipeline::default();
     pipeline.update(scene, skips);
     pipeline.into_frame()
 }

@@ -125,8 +125,9 @@ impl Target {
         let [x, y] = pixel;
         self.touch(Span { y, begin: x, end: x + 1 });
         let index = y as usize * self.state.size[0] as usize + x as usize;
-        let Self { state: image, multisample, counts, written, .. } = self;
+        let Self { state: image, multisample, counts, written, watch, .. } = self;
         let Some(multisample) = multisample else { return };
+        watch.iter_mut().for_each(|watch| watch.generated(index..index + 1));
         counts.fragments += 1;
         if drawn.state.scissor.is_some_and(|scissor| !scissor.holds(pixel)) {
             counts.scissored += 1;
@@ -167,6 +168,7 @@ impl Target {
         }
         if passed {
             counts.redrawn += u64::from(std::mem::replace(&mut written[index], true));
+            watch.iter_mut().for_each(|watch| watch.written(index));
         } else {
             counts.failed += 1;
             counts.stencil_failed += u64::from(!reached_depth);

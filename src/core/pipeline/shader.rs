@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use super::{DrawOutputs, Piece};
+use super::{DrawOutputs, Piece, gradient::Gradient};
 use crate::{
     blend::{BlendState, ExactColor, blend},
     interpolate::{Interpolator, Weights, unorm},
@@ -58,26 +58,46 @@ impl Shader {
         let corners = piece.corners.map(|i| i as usize);
         let vertices = corners.map(|i| draw.screen()[i]).map(|[x, y, _, r]| [x, y, r]);
         let interpolator = Interpolator::new(vertices, tally)?;
-        let shade = draw.shade().get(piece.triangle as usize).copied().unwrap_or(1.0);
-        let clipped = draw.clipped();
-        let channels = [0, 1, 2, 3].map(|channel| corners.map(|i| clipped.colors[i][channel]));
-        let has_uvs = !clipped.uvs.is_empty();
+        let constant = Self::constant_of(draw, piece, texture, tally);
+        let channels = channels(draw, piece);
+        let uvs = &draw.clipped().uvs;
         let texture = texture
-            .filter(|_| has_uvs)
-            .map(|texture| ([0, 1].map(|axis| corners.map(|i| clipped.uvs[i][axis])), texture));
-        let uniform = channels.iter().all(|[a, b, c]| a == b && b == c);
-        let last = Cell::new(None);
-        let mut shader = Self { interpolator, channels, texture, shade, uniform, constant: None, last };
-        if uniform && shader.texture.is_none() {
-            let [r, g, b, a] = channels.map(|channel| channel[0]);
-            let mut shaded = |value: f32| {
-                // A product of two f32 is exact in f64.
-                let value = f64::from(value) * f64::from(shade);
-                rounded_code(Approx::exact(value), 255, || (Dyadic::from(value), Dyadic::one()), tally) as u8
-            };
-            shader.constant = Some([shaded(r), shaded(g), shaded(b), unorm(a, 255) as u8]);
+            .filter(|_| !uvs.is_empty())
+            .map(|texture| ([0, 1].map(|axis| corners.map(|i| uvs[i][axis])), texture));
+        let (uniform, shade, last) = (is_uniform(&channels), shade(draw, piece), Cell::new(None));
+        Some(Self { interpolator, channels, texture, shade, uniform, constant, last })
+    }
+
+    /// The codes of every fragment of a piece, if they are the same.
+    pub(super) fn constant_of(
+        draw: &DrawOutputs,
+        piece: &Piece,
+        texture: Option<Texture>,
+        tally: &mut Tally,
+    ) -> Option<[u8; 4]> {
+        let channels = channels(draw, piece);
+        if !is_uniform(&channels) || texture.is_some() && !draw.clipped().uvs.is_empty() {
+            return None;
         }
-        Some(shader)
+        let [r, g, b, a] = channels.map(|channel| channel[0]);
+        let shade = shade(draw, piece);
+        let [r, g, b] = [r, g, b].map(|value| shaded(value, shade, tally));
+        Some([r, g, b, unorm(a, 255) as u8])
+    }
+
+    /// The same for whole rows at once; `None` with a texture.
+    pub(super) fn gradient(&self) -> Option<Gradient> {
+        if self.texture.is_some() {
+            return None;
+        }
+        let scale = 255.0 * f64::from(self.shade);
+        let scales = [scale, scale, scale, 255.0];
+        let constant = [0, 1, 2, 3].map(|channel| {
+            let [a, b, c] = self.channels[channel];
+            let shade = if channel == 3 { 1.0 } else { self.shade };
+            (a == b && b == c).then(|| shaded(a, shade, &mut Tally::default()))
+        });
+        Some(Gradient::new(&self.interpolator, &self.channels, scales, constant))
     }
 
     /// The codes of every fragment, if they are the same.
@@ -97,6 +117,28 @@ impl Shader {
         };
         Color { shader: self, weights, factor: texel * self.shade }
     }
+}
+
+/// The code of a value times a factor.
+fn shaded(value: f32, shade: f32, tally: &mut Tally) -> u8 {
+    // A product of two f32 is exact in f64.
+    let value = f64::from(value) * f64::from(shade);
+    rounded_code(Approx::exact(value), 255, || (Dyadic::from(value), Dyadic::one()), tally) as u8
+}
+
+/// Red, green, blue and alpha at a piece's corners.
+fn channels(draw: &DrawOutputs, piece: &Piece) -> [[f32; 3]; 4] {
+    let colors = piece.corners.map(|i| draw.clipped().colors[i as usize]);
+    [0, 1, 2, 3].map(|channel| colors.map(|color| color[channel]))
+}
+
+fn is_uniform(channels: &[[f32; 3]; 4]) -> bool {
+    channels.iter().all(|[a, b, c]| a == b && b == c)
+}
+
+/// What multiplies the colours of a piece.
+fn shade(draw: &DrawOutputs, piece: &Piece) -> f32 {
+    draw.shade().get(piece.triangle as usize).copied().unwrap_or(1.0)
 }
 
 impl Texture {

@@ -14,17 +14,18 @@ pub enum Skip {
     BackFace,
     /// Triangles without area as seen from the eye: dropped before clipping instead of at the fragments.
     Degenerate,
-    /// Tiles that a triangle does not touch or covers wholly. The pipeline draws by scan line, which has
-    /// none: accepted, and leaves nothing out.
+    /// Tiles that the box around a triangle meets, but not the triangle. Only the engine has tiles.
     Tile,
-    /// Pixels of a row behind the triangle's last one.
+    /// Pixels of a row behind the triangle's last one. The engine looks at none of them either way.
     Row,
     /// Colours of fragments that fail the stencil or depth test; of a draw whose fragments may be discarded only
     /// if failing changes nothing.
     EarlyZ,
-    /// Tiles in which a triangle lies behind all that is drawn. The pipeline keeps no
-    /// pyramid of depths: accepted, and leaves nothing out.
+    /// Tiles and blocks of pixels in which a triangle lies behind all that is drawn. Only the engine keeps the
+    /// farthest depth of each.
     HierarchicalZ,
+    /// Colours of fragments that later ones hide. Only the engine waits with colours until all is drawn.
+    Deferred,
     /// Clearing pixels that the image before did not touch.
     Clear,
     /// Stages whose input is the same as last time.
@@ -33,7 +34,7 @@ pub enum Skip {
 
 impl Skip {
     /// Every skip, in pipeline order.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::ObjectFrustum,
         Self::Frustum,
         Self::BackFace,
@@ -42,6 +43,7 @@ impl Skip {
         Self::Row,
         Self::EarlyZ,
         Self::HierarchicalZ,
+        Self::Deferred,
         Self::Clear,
         Self::Memo,
     ];
@@ -57,6 +59,7 @@ impl Skip {
             Self::Row => "row",
             Self::EarlyZ => "early-z",
             Self::HierarchicalZ => "hierarchical-z",
+            Self::Deferred => "deferred",
             Self::Clear => "clear",
             Self::Memo => "memo",
         }

@@ -20,6 +20,8 @@ pub struct Decision {
     pub facing: Option<Facing>,
     /// A plane that it lies wholly outside of, if that was looked for.
     pub outside: Option<Plane>,
+    /// Whether it lies inside all planes, if that was looked for: then nothing clips it.
+    pub inside: bool,
     /// What becomes of it.
     pub fate: Fate,
 }
@@ -58,11 +60,13 @@ impl CullKey {
         }
     }
 
-    /// Decides about one triangle in clip space, by its unclipped vertices.
-    pub(super) fn decide(&self, clip: [Point; 3], tally: &mut Tally) -> Decision {
-        let outside = if self.frustum { self.visible.outside(clip) } else { None };
+    /// Decides about one triangle in clip space, by its unclipped vertices and their outcodes.
+    fn decide(&self, clip: [Point; 3], outcodes: [u8; 3], tally: &mut Tally) -> Decision {
+        let [a, b, c] = outcodes;
+        let outside = Plane::ALL.get((a & b & c).trailing_zeros() as usize).copied();
+        let inside = self.frustum && a | b | c == 0;
         if outside.is_some() {
-            return Decision { facing: None, outside, fate: Fate::Dropped };
+            return Decision { facing: None, outside, inside, fate: Fate::Dropped };
         }
         let facing = facing(clip, self.front, tally);
         let skip = if facing == Facing::Degenerate { self.degenerate } else { self.back_face };
@@ -71,7 +75,7 @@ impl CullKey {
             (true, true) => Fate::Dropped,
             (true, false) => Fate::Carried,
         };
-        Decision { facing: Some(facing), outside, fate }
+        Decision { facing: Some(facing), outside, inside, fate }
     }
 }
 
@@ -89,7 +93,11 @@ pub(super) fn cull(key: &CullKey, clip: &[Point], mesh: &Mesh) -> Culled {
     let corners = |triangle: &[u32; 3]| triangle.map(|i| clip[i as usize]);
     // No vertex was transformed if the whole object is outside.
     let triangles = if clip.is_empty() { &[] } else { &mesh.triangles[..] };
-    let decisions = triangles.iter().map(|triangle| key.decide(corners(triangle), &mut tally)).collect();
+    let outcodes: Vec<u8> =
+        clip.iter().map(|&point| if key.frustum { key.visible.outcode(point) } else { 0 }).collect();
+    let outside = |triangle: &[u32; 3]| triangle.map(|i| outcodes[i as usize]);
+    let decide = |triangle| key.decide(corners(triangle), outside(triangle), &mut tally);
+    let decisions = triangles.iter().map(decide).collect();
     Culled { decisions, tally }
 }
 
@@ -146,7 +154,10 @@ pub(super) fn clip(culled: &Culled, clip: &[Point], mesh: &Mesh, visible: Visibl
         if decision.fate == Fate::Dropped {
             continue;
         }
-        if !out.push(index, decision.fate == Fate::Carried, clip, mesh, visible) {
+        let carried = decision.fate == Fate::Carried;
+        if decision.inside && !carried {
+            out.push_whole(index, clip, mesh);
+        } else if !out.push(index, carried, clip, mesh, visible) {
             out.lost += 1;
         }
     }
@@ -154,6 +165,20 @@ pub(super) fn clip(culled: &Culled, clip: &[Point], mesh: &Mesh, visible: Visibl
 }
 
 impl Clipped {
+    /// Takes a triangle that lies inside all planes and has an area.
+    fn push_whole(&mut self, triangle: u32, clip: &[Point], mesh: &Mesh) {
+        let indices = mesh.triangles[triangle as usize].map(|i| i as usize);
+        let first = self.corners.len() as u32;
+        self.corners.extend(indices.map(|i| clip[i]));
+        self.colors.extend(indices.map(|i| mesh.colors[i]));
+        if !mesh.uvs.is_empty() {
+            self.uvs.extend(indices.map(|i| mesh.uvs[i]));
+        }
+        self.polygons.push(ClippedPolygon { triangle, first, len: 3, cut: false, carried: false });
+        let corners = [first, first + 1, first + 2];
+        self.pieces.push(Piece { corners, triangle, part: 0, carried: false });
+    }
+
     /// Clips one triangle; `false` if nothing is left of it.
     pub(super) fn push(
         &mut self,

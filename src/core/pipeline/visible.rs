@@ -7,7 +7,7 @@ use crate::{
         clip_space::{ClipSpace, Event, clip_exact},
         clip_triangle, distance_is_negative,
     },
-    cull::frustum::triangle_outside,
+    cull::frustum::{outcode, triangle_outside},
     math::Tally,
     trace::NoTrace,
     transform::DepthRange,
@@ -21,13 +21,20 @@ pub(super) struct Visible {
     pub(super) unclipped: bool,
 }
 
-/// The planes beside the picture.
+/// The planes beside the picture, the first ones of [`Plane::ALL`].
 const SIDES: [Plane; 4] = [Plane::Left, Plane::Right, Plane::Bottom, Plane::Top];
 
 impl Visible {
     /// Whether a plane clips.
     pub(super) fn clips_at(&self, plane: Plane) -> bool {
         !self.unclipped || SIDES.contains(&plane)
+    }
+
+    /// Which of the planes a point lies strictly outside of, one bit each, as in [`outcode`].
+    #[inline]
+    pub(super) fn outcode(&self, point: Point) -> u8 {
+        let sides = if self.unclipped { (1 << SIDES.len()) - 1 } else { u8::MAX };
+        outcode(point, self.range) & sides
     }
 
     /// The first of the planes that all three vertices lie strictly outside of.

@@ -100,13 +100,16 @@ impl Lab for Pipeline {
 }
 
 /// Skips of this pipeline, with the messages that name them.
-const SKIPS: [(Skip, &str); 8] = [
+const SKIPS: [(Skip, &str); 11] = [
     (Skip::ObjectFrustum, "ui-skip-object-frustum"),
     (Skip::Frustum, "ui-skip-frustum"),
     (Skip::BackFace, "ui-skip-back-face"),
     (Skip::Degenerate, "ui-skip-degenerate"),
+    (Skip::Tile, "ui-skip-tile"),
     (Skip::Row, "ui-skip-row"),
     (Skip::EarlyZ, "ui-skip-early-z"),
+    (Skip::HierarchicalZ, "ui-skip-hierarchical-z"),
+    (Skip::Deferred, "ui-skip-deferred"),
     (Skip::Clear, "ui-skip-clear"),
     (Skip::Memo, "ui-skip-memo"),
 ];

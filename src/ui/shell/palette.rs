@@ -35,7 +35,13 @@ fn all(ui: &Ui, face: &Face<'_>, frame: &Frame<'_>) -> Vec<Entry> {
         // Escape closes the palette itself; a command with two keys stands here once.
         let twice = out.iter().any(|entry| entry.command == command);
         if !twice && !matches!(command, Command::Escape | Command::Palette) {
-            out.push(Entry { name: face.say(name), key: keys::text(ui.ctx(), &shortcut), command });
+            let name = match command {
+                Command::Overlay(overlay) => {
+                    face.say_with("ui-palette-overlay", "name", Value::Word(overlay.word()))
+                }
+                _ => face.say(name),
+            };
+            out.push(Entry { name, key: keys::text(ui.ctx(), &shortcut), command });
         }
     }
     let mut add = |name: String, command| out.push(Entry { name, key: String::new(), command });

@@ -7,24 +7,25 @@ use rasterscope_core::{
         clip_triangle,
     },
     math::{Arithmetic, Real},
+    stress::{
+        Family,
+        clip_triangles::{Vertex, clip_triangles},
+    },
     trace::NoTrace,
     transform::DepthRange,
 };
 
 use super::{
-    family::Family,
-    race::{Answer, Contender, Errors, Heat, Row},
-    random::Random,
+    Row,
+    heat::{Answer, Contender, Errors, Heat},
 };
+use crate::Stopwatch;
 
 pub(super) const STAGE: &str = "homogeneous-clipping";
-pub(super) const FAMILIES: &[Family] =
-    &[Family::Ordinary, Family::Beside, Family::NearWZero, Family::Sliver, Family::Huge, Family::Denormal];
+pub(super) use rasterscope_core::stress::clip_triangles::FAMILIES;
 
 const COUNT: usize = 1_024;
 const RANGE: DepthRange = DepthRange::ZeroToOne;
-
-type Vertex = [f32; 4];
 
 /// The corners of what is left.
 pub(super) struct Corners(Vec<Vertex>);
@@ -42,42 +43,8 @@ impl Answer for Corners {
     }
 }
 
-fn triangles(family: Family) -> Vec<[Vertex; 3]> {
-    let mut random = Random::new(200 + family as u64);
-    (0..COUNT).map(|_| triangle(family, &mut random)).collect()
-}
-
-fn triangle(family: Family, random: &mut Random) -> [Vertex; 3] {
-    let mut vertices: [Vertex; 3] = std::array::from_fn(|_| {
-        let w = random.uniform(0.5, 3.0);
-        let reach = 2.0 * f64::from(w);
-        let [x, y, z] = std::array::from_fn(|_| random.uniform(-reach, reach));
-        [x, y, z, w]
-    });
-    for vertex in &mut vertices {
-        let w = vertex[3];
-        match family {
-            Family::Beside => {
-                let axis = random.below(3);
-                let border = random.pick(&[w, -w]);
-                vertex[axis] = random.beside(border);
-            }
-            Family::NearWZero => vertex[3] = random.magnitude(-8.0, 0.0),
-            Family::Huge => *vertex = vertex.map(|x| x * random.magnitude(20.0, 37.0).abs()),
-            Family::Denormal => *vertex = vertex.map(|x| x * 1e-39),
-            _ => {}
-        }
-    }
-    if family == Family::Sliver {
-        let [a, b, _] = vertices;
-        let t = random.uniform(0.2, 0.8);
-        vertices[2] = std::array::from_fn(|i| random.beside(a[i] + t * (b[i] - a[i])));
-    }
-    vertices
-}
-
-pub(super) fn run(family: Family, rounds: u32) -> Vec<Row> {
-    let triangles = &triangles(family);
+pub(super) fn run(family: Family, stopwatch: &Stopwatch<'_>) -> Vec<Row> {
+    let triangles = &clip_triangles(family, COUNT);
     let contenders = vec![
         Contender::text("clip-triangle", Arithmetic::Exact, triangles, |vertices, tally| {
             let left = clip_triangle(*vertices, RANGE, PlaneSet::All, tally);
@@ -87,7 +54,7 @@ pub(super) fn run(family: Family, rounds: u32) -> Vec<Row> {
         Contender::text("clip-triangle", Arithmetic::F64, triangles, |vertices, _| taught::<f64>(*vertices)),
     ];
     let exact = triangles.iter().map(|vertices| turned(*vertices)).collect();
-    Heat { stage: STAGE, family, items: COUNT, item: "triangle", contenders, exact }.run(rounds)
+    Heat { stage: STAGE, family, items: COUNT, item: "triangle", contenders, exact }.run(stopwatch)
 }
 
 fn taught<R: Real>(vertices: [Vertex; 3]) -> Corners {

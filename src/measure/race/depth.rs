@@ -4,17 +4,20 @@ use rasterscope_core::{
     depth::{DepthFormat, DepthPlane, DepthRows},
     math::{Arithmetic, Tally},
     raster::{Algorithm, Settings, Span, rows},
+    stress::{
+        Family,
+        triangles::{size, with_depths},
+    },
 };
 
 use super::{
-    coverage::{size, triangles},
-    family::Family,
-    race::{Answer, Contender, Errors, Heat, Row},
-    random::Random,
+    Row,
+    heat::{Answer, Contender, Errors, Heat},
 };
+use crate::Stopwatch;
 
 pub(super) const STAGE: &str = "depth";
-pub(super) const FAMILIES: &[Family] = &[Family::Ordinary, Family::Sliver, Family::Huge, Family::Long];
+pub(super) use rasterscope_core::stress::triangles::FAMILIES;
 
 const COUNT: usize = 24;
 
@@ -42,18 +45,15 @@ impl Covered {
 }
 
 fn covered(family: Family) -> Vec<Covered> {
-    let mut random = Random::new(400 + family as u64);
     let settings = Settings::new(size(family));
-    triangles(family, COUNT)
-        .into_iter()
-        .map(|flat| Covered {
-            vertices: flat.map(|[x, y]| [x, y, random.uniform(0.0, 1.0)]),
-            spans: rows(Algorithm::Scanline, flat, &settings, &mut Tally::default()),
-        })
-        .collect()
+    let covered = |vertices: [[f32; 3]; 3]| {
+        let flat = vertices.map(|[x, y, _]| [x, y]);
+        Covered { vertices, spans: rows(Algorithm::Scanline, flat, &settings, &mut Tally::default()) }
+    };
+    with_depths(family, COUNT).into_iter().map(covered).collect()
 }
 
-pub(super) fn run(family: Family, rounds: u32) -> Vec<Row> {
+pub(super) fn run(family: Family, stopwatch: &Stopwatch<'_>) -> Vec<Row> {
     let inputs = &covered(family);
     let items = inputs.iter().flat_map(|input| &input.spans).map(|span| span.len() as usize).sum();
     let mut contenders = Vec::new();
@@ -71,7 +71,7 @@ pub(super) fn run(family: Family, rounds: u32) -> Vec<Row> {
         input.depths(|pixel| plane.depth(pixel, &mut Tally::default()))
     };
     let exact = inputs.iter().map(exact).collect();
-    Heat { stage: STAGE, family, items, item: "pixel", contenders, exact }.run(rounds)
+    Heat { stage: STAGE, family, items, item: "pixel", contenders, exact }.run(stopwatch)
 }
 
 /// What a frame does.

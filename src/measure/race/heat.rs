@@ -1,10 +1,13 @@
 //! Contenders take turns, then each answer is held against the exact one.
 
-use rasterscope_core::math::{Arithmetic, Tally, ulps_between};
-use serde::Serialize;
-use std::{hint::black_box, time::Instant};
+use rasterscope_core::{
+    math::{Arithmetic, Tally, ulps_between},
+    stress::Family,
+};
+use std::hint::black_box;
 
-use super::family::Family;
+use super::Row;
+use crate::stopwatch::{Stopwatch, quartiles};
 
 /// What one contender answers to one input.
 pub(super) trait Answer {
@@ -57,30 +60,26 @@ pub(super) struct Heat<'a, A> {
 }
 
 impl<A: Answer> Heat<'_, A> {
-    /// Runs all contenders round by round. The first round warms up and counts the exact tails.
-    pub(super) fn run(self, rounds: u32) -> Vec<Row> {
+    /// Runs all contenders round by round. The round that warms up counts the exact tails.
+    pub(super) fn run(self, stopwatch: &Stopwatch<'_>) -> Vec<Row> {
         let mut times = vec![Vec::new(); self.contenders.len()];
         let mut tallies = vec![Tally::default(); self.contenders.len()];
         let mut answers: Vec<Vec<A>> = self.contenders.iter().map(|_| Vec::new()).collect();
-        for round in 0..=rounds {
-            for (i, contender) in self.contenders.iter().enumerate() {
-                let mut tally = Tally::default();
-                answers[i].clear();
-                let start = Instant::now();
-                (contender.run)(black_box(&mut answers[i]), &mut tally);
-                let elapsed = start.elapsed().as_secs_f64();
-                if round == 0 {
-                    tallies[i] = tally;
-                } else {
-                    times[i].push(elapsed * 1e9 / self.items.max(1) as f64);
-                }
+        stopwatch.take_turns(self.contenders.len(), |round, i| {
+            let mut tally = Tally::default();
+            answers[i].clear();
+            let elapsed = stopwatch.time(|| (self.contenders[i].run)(black_box(&mut answers[i]), &mut tally));
+            if round == 0 {
+                tallies[i] = tally;
+            } else {
+                times[i].push(elapsed / self.items.max(1) as f64);
             }
-        }
+        });
         let rows = self.contenders.iter().zip(answers).zip(times.into_iter().zip(tallies));
         rows.map(|((contender, answers), (times, tally))| {
             let mut errors = Errors::default();
             answers.iter().zip(&self.exact).for_each(|(answer, exact)| answer.judge(exact, &mut errors));
-            let time = summary(times);
+            let time = quartiles(times);
             Row {
                 stage: self.stage,
                 family: self.family,
@@ -106,15 +105,6 @@ impl<A: Answer> Heat<'_, A> {
 
 fn part(sum: f64, count: u64) -> f64 {
     if count == 0 { 0.0 } else { sum / count as f64 }
-}
-
-/// The quartiles.
-pub(super) fn summary(mut times: Vec<f64>) -> [f64; 3] {
-    times.sort_unstable_by(f64::total_cmp);
-    [0.25, 0.5, 0.75].map(|share| {
-        let last = times.len().saturating_sub(1) as f64;
-        times.get((last * share).round() as usize).copied().unwrap_or(0.0)
-    })
 }
 
 /// How wrong answers are.
@@ -156,25 +146,4 @@ impl Errors {
     pub(super) fn values<'v>(&mut self, pairs: impl IntoIterator<Item = (&'v f32, &'v f32)>) {
         pairs.into_iter().for_each(|(found, exact)| self.value(*found, *exact));
     }
-}
-
-/// One line of the table.
-#[derive(Clone, Debug, Serialize)]
-pub(super) struct Row {
-    pub(super) stage: &'static str,
-    pub(super) family: Family,
-    pub(super) algorithm: &'static str,
-    pub(super) call: &'static str,
-    pub(super) arithmetic: Arithmetic,
-    pub(super) items: usize,
-    pub(super) item: &'static str,
-    pub(super) ns: f64,
-    pub(super) quartiles: [f64; 2],
-    pub(super) decisions: u64,
-    pub(super) wrong_per_million: f64,
-    pub(super) values: u64,
-    pub(super) mean_ulps: f64,
-    pub(super) max_ulps: u64,
-    pub(super) not_finite: u64,
-    pub(super) exact_share: Option<f64>,
 }

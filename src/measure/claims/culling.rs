@@ -7,7 +7,8 @@ use rasterscope_core::{
 };
 use std::hint::black_box;
 
-use super::{Finding, Series, Verdict, times};
+use super::{Finding, Series, Verdict};
+use crate::Stopwatch;
 
 /// The models that are built in, all closed, in the view in which they open.
 fn scenes() -> Vec<(&'static str, Scene)> {
@@ -19,7 +20,7 @@ fn scenes() -> Vec<(&'static str, Scene)> {
 }
 
 /// Back-face culling removes about half.
-pub(super) fn removes_half(_: u32) -> Finding {
+pub(super) fn removes_half(_: &Stopwatch<'_>) -> Finding {
     let share = |(name, scene): &(&'static str, Scene)| {
         let stats = pipeline::render(scene, &Skips::ALL).stats;
         let cull = stats.stage(Stage::Cull);
@@ -31,15 +32,13 @@ pub(super) fn removes_half(_: u32) -> Finding {
 }
 
 /// It pays to cull before clipping: the same image, and the facing looked at before or after.
-pub(super) fn before_clipping(rounds: u32) -> Finding {
+pub(super) fn before_clipping(stopwatch: &Stopwatch<'_>) -> Finding {
     let mut ratios = Vec::new();
     for (name, scene) in scenes() {
-        let [before, after] = times(
-            rounds,
-            [&mut || drop(black_box(pipeline::render(&scene, &Skips::ALL))), &mut || {
+        let [before, after] =
+            stopwatch.times([&mut || drop(black_box(pipeline::render(&scene, &Skips::ALL))), &mut || {
                 drop(black_box(pipeline::render(&scene, &Skips::ALL.with(Skip::BackFace, false))));
-            }],
-        );
+            }]);
         ratios.push((name, after / before));
     }
     let verdict = Verdict::of(ratios.iter().map(|(_, ratio)| *ratio > 1.02));

@@ -7,11 +7,12 @@ use rasterscope_core::{
     },
     math::{Arithmetic, Tally},
     raster::{Algorithm, Counts, Settings, Span, cover, rows},
+    stress::Random,
 };
 use std::hint::black_box;
 
-use super::{Finding, Series, Verdict, times};
-use crate::bench::random::Random;
+use super::{Finding, Series, Verdict};
+use crate::Stopwatch;
 
 const SIDE: u32 = 256;
 
@@ -33,7 +34,7 @@ fn flat(triangle: &Triangle) -> [[f32; 2]; 3] {
 }
 
 /// The cost of a z-buffer is nearly constant as primitives grow in number and shrink in size.
-pub(super) fn z_buffer_constant(rounds: u32) -> Finding {
+pub(super) fn z_buffer_constant(stopwatch: &Stopwatch<'_>) -> Finding {
     let counts = [16, 64, 256, 1_024, 4_096];
     let settings = z_buffer::Settings::new([SIDE; 2]);
     // Together they always cover the image four times.
@@ -41,12 +42,15 @@ pub(super) fn z_buffer_constant(rounds: u32) -> Finding {
     let mut random = Random::new(3);
     let measured = counts.map(|count| {
         let triangles = triangles(count, (2.0 * area / count as f64).sqrt(), &mut random);
-        let [time] = times(rounds, [&mut || drop(black_box(z_buffer::draw(&triangles, &settings)))]);
+        let [time] = stopwatch.times([&mut || drop(black_box(z_buffer::draw(&triangles, &settings)))]);
         time * 1e-6
     });
     let verdict = Verdict::of(measured.map(|time| time < 2.0 * measured[0]));
     Finding {
-        series: vec![Series::timed("frame-ms-by-triangles", counts.into_iter().zip(measured))],
+        series: vec![Series::timed(
+            "frame-ms-by-triangles",
+            counts.map(|count| count as f64).into_iter().zip(measured),
+        )],
         verdict,
     }
 }
@@ -54,7 +58,7 @@ pub(super) fn z_buffer_constant(rounds: u32) -> Finding {
 const LEGS: [f64; 4] = [4.0, 16.0, 64.0, 240.0];
 
 /// Testing regions first saves tests of pixels.
-pub(super) fn regions_save_tests(_: u32) -> Finding {
+pub(super) fn regions_save_tests(_: &Stopwatch<'_>) -> Finding {
     let mut random = Random::new(4);
     let per_pixel = LEGS.map(|leg| {
         let triangles = triangles(64, leg, &mut random);
@@ -74,7 +78,7 @@ pub(super) fn regions_save_tests(_: u32) -> Finding {
 }
 
 /// Fixed point of 16 bits, 8 of them below the point, is enough: pixels in a million that change.
-pub(super) fn fixed_point_is_enough(_: u32) -> Finding {
+pub(super) fn fixed_point_is_enough(_: &Stopwatch<'_>) -> Finding {
     let mut random = Random::new(5);
     let changed = LEGS.map(|leg| {
         let (mut covered, mut changed) = (0, 0);
@@ -99,7 +103,7 @@ pub(super) fn fixed_point_is_enough(_: u32) -> Finding {
 }
 
 /// Incremental additions make a pixel cheap: slopes added from row to row against edge functions.
-pub(super) fn additions_are_cheap(rounds: u32) -> Finding {
+pub(super) fn additions_are_cheap(stopwatch: &Stopwatch<'_>) -> Finding {
     let mut random = Random::new(6);
     let measured = LEGS.map(|leg| {
         let triangles = triangles(64, leg, &mut random);
@@ -113,17 +117,14 @@ pub(super) fn additions_are_cheap(rounds: u32) -> Finding {
             covered
         };
         let pixels = run(Algorithm::Scanline).max(1) as f64;
-        let times = times(
-            rounds,
-            [
-                &mut || {
-                    black_box(run(Algorithm::Scanline));
-                },
-                &mut || {
-                    black_box(run(Algorithm::Aabb));
-                },
-            ],
-        );
+        let times = stopwatch.times([
+            &mut || {
+                black_box(run(Algorithm::Scanline));
+            },
+            &mut || {
+                black_box(run(Algorithm::Aabb));
+            },
+        ]);
         times.map(|time| time / pixels)
     });
     let series =
@@ -133,7 +134,7 @@ pub(super) fn additions_are_cheap(rounds: u32) -> Finding {
 }
 
 /// Coherence along a row saves depth work: what all its pixels share is computed once.
-pub(super) fn row_coherence(rounds: u32) -> Finding {
+pub(super) fn row_coherence(stopwatch: &Stopwatch<'_>) -> Finding {
     let mut random = Random::new(7);
     let measured = LEGS.map(|leg| {
         let triangles: Vec<_> = triangles(32, leg, &mut random)
@@ -145,32 +146,29 @@ pub(super) fn row_coherence(rounds: u32) -> Finding {
             .collect();
         let pixels =
             triangles.iter().flat_map(|(_, spans)| spans).map(|span| f64::from(span.len())).sum::<f64>();
-        let times = times(
-            rounds,
-            [
-                &mut || {
-                    for (triangle, spans) in &triangles {
-                        let rows = DepthRows::new(*triangle, DepthFormat::F32, &mut Tally::default());
-                        for span in spans {
-                            let row = rows.row(span.y);
-                            (span.begin..span.end).for_each(|x| {
-                                black_box(row.code(x, &mut Tally::default()));
-                            });
-                        }
+        let times = stopwatch.times([
+            &mut || {
+                for (triangle, spans) in &triangles {
+                    let rows = DepthRows::new(*triangle, DepthFormat::F32, &mut Tally::default());
+                    for span in spans {
+                        let row = rows.row(span.y);
+                        (span.begin..span.end).for_each(|x| {
+                            black_box(row.code(x, &mut Tally::default()));
+                        });
                     }
-                },
-                &mut || {
-                    for (triangle, spans) in &triangles {
-                        let plane = DepthPlane::new(*triangle, Arithmetic::Exact, &mut Tally::default());
-                        for span in spans {
-                            (span.begin..span.end).for_each(|x| {
-                                black_box(plane.depth([x, span.y], &mut Tally::default()));
-                            });
-                        }
+                }
+            },
+            &mut || {
+                for (triangle, spans) in &triangles {
+                    let plane = DepthPlane::new(*triangle, Arithmetic::Exact, &mut Tally::default());
+                    for span in spans {
+                        (span.begin..span.end).for_each(|x| {
+                            black_box(plane.depth([x, span.y], &mut Tally::default()));
+                        });
                     }
-                },
-            ],
-        );
+                }
+            },
+        ]);
         times.map(|time| time / pixels.max(1.0))
     });
     let series =

@@ -6,12 +6,13 @@ use rasterscope_core::{
         liang_barsky::{self, Event},
     },
     math::{Arithmetic, Tally},
+    stress::Random,
     trace::NoTrace,
 };
 use std::hint::black_box;
 
-use super::{Finding, Series, Verdict, times};
-use crate::bench::random::Random;
+use super::{Finding, Series, Verdict};
+use crate::Stopwatch;
 
 const COUNT: usize = 4_096;
 const SIDES: [f32; 4] = [-3.1, -2.2, 4.7, 3.3];
@@ -45,7 +46,7 @@ fn segments(outside: f64, window: &Window, random: &mut Random) -> Vec<Segment> 
 }
 
 /// Cohen-Sutherland is efficient when most lines are outside: against Liang-Barsky, both as taught.
-pub(super) fn outcodes_when_outside(rounds: u32) -> Finding {
+pub(super) fn outcodes_when_outside(stopwatch: &Stopwatch<'_>) -> Finding {
     let shares = [0.0, 25.0, 50.0, 75.0, 100.0];
     let window = window();
     let mut random = Random::new(1);
@@ -53,26 +54,23 @@ pub(super) fn outcodes_when_outside(rounds: u32) -> Finding {
         .iter()
         .map(|share| {
             let segments = segments(share / 100.0, &window, &mut random);
-            times(
-                rounds,
-                [
-                    &mut || {
-                        for s in &segments {
-                            black_box(cohen_sutherland::clip_taught::<f64, _>(
-                                *s,
-                                &window,
-                                Mistakes::NONE,
-                                &mut NoTrace,
-                            ));
-                        }
-                    },
-                    &mut || {
-                        for s in &segments {
-                            black_box(liang_barsky::clip_taught::<f64, _>(*s, &window, &mut NoTrace));
-                        }
-                    },
-                ],
-            )
+            stopwatch.times([
+                &mut || {
+                    for s in &segments {
+                        black_box(cohen_sutherland::clip_taught::<f64, _>(
+                            *s,
+                            &window,
+                            Mistakes::NONE,
+                            &mut NoTrace,
+                        ));
+                    }
+                },
+                &mut || {
+                    for s in &segments {
+                        black_box(liang_barsky::clip_taught::<f64, _>(*s, &window, &mut NoTrace));
+                    }
+                },
+            ])
         })
         .collect();
     let series = |name, which: usize| {
@@ -84,7 +82,7 @@ pub(super) fn outcodes_when_outside(rounds: u32) -> Finding {
 }
 
 /// Liang-Barsky decides without divisions.
-pub(super) fn no_division_to_decide(_: u32) -> Finding {
+pub(super) fn no_division_to_decide(_: &Stopwatch<'_>) -> Finding {
     let window = window();
     let mut random = Random::new(2);
     let mut lines = [0_u32; 3];
@@ -104,7 +102,8 @@ pub(super) fn no_division_to_decide(_: u32) -> Finding {
         lines[kind] += 1;
         divisions[kind] += count(|event| matches!(event, Event::Divide { .. })) as u32;
     }
-    let per_line = (0..3).map(|cuts| (cuts, f64::from(divisions[cuts]) / f64::from(lines[cuts].max(1))));
+    let per_line =
+        [0, 1, 2].map(|cuts| (cuts as f64, f64::from(divisions[cuts]) / f64::from(lines[cuts].max(1))));
     let verdict = if divisions[0] == 0 { Verdict::Holds } else { Verdict::DoesNotHold };
     Finding { series: vec![Series::counted("divisions-by-cuts", per_line)], verdict }
 }

@@ -1,0 +1,98 @@
+//! The two ways in which the triangles of a tile become colours.
+
+use super::{
+    Clear, PaintOrder, Painter, Stats,
+    bins::Entry,
+    canvas::Strip,
+    fill::Job,
+    ink::{Flat, Ink, Numbers, Wet},
+    paint::Brushes,
+    tile::Tile,
+};
+
+/// How the triangles of a tile become colours: first they are drawn, then the tile is given back.
+pub(super) trait Way: Sync {
+    /// Whether fragments are counted.
+    const COUNTS: bool;
+    /// What is kept from tile to tile.
+    type Kit<'k>
+    where
+        Self: 'k;
+
+    fn kit(&self) -> Self::Kit<'_>;
+    fn draw(kit: &mut Self::Kit<'_>, tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats);
+    /// `at`: the number of the tile in its strip, and its first column.
+    fn store(
+        kit: &mut Self::Kit<'_>,
+        tile: &mut Tile,
+        strip: &mut Strip<'_>,
+        at: (usize, u32),
+        clear: Option<&Clear>,
+        stats: &mut Stats,
+    );
+}
+
+/// One colour a triangle.
+pub(super) struct Plain;
+
+/// By a painter.
+pub(super) struct Painted<'p, P: Painter>(pub(super) &'p P);
+
+impl Way for Plain {
+    const COUNTS: bool = Flat::COUNTS;
+    type Kit<'k> = ();
+
+    fn kit(&self) {}
+
+    fn draw((): &mut (), tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats) {
+        tile.draw(&mut Flat, job, list, stats);
+    }
+
+    fn store(
+        (): &mut (),
+        tile: &mut Tile,
+        strip: &mut Strip<'_>,
+        (_, left): (usize, u32),
+        _: Option<&Clear>,
+        _: &mut Stats,
+    ) {
+        tile.store(strip, left);
+    }
+}
+
+impl<P: Painter> Way for Painted<'_, P> {
+    const COUNTS: bool = Numbers::COUNTS;
+    type Kit<'k>
+        = Brushes<'k, P>
+    where
+        Self: 'k;
+
+    fn kit(&self) -> Brushes<'_, P> {
+        Brushes::new(self.0)
+    }
+
+    fn draw(brushes: &mut Brushes<'_, P>, tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats) {
+        if brushes.painter().order() == PaintOrder::Last {
+            tile.number();
+            tile.draw(&mut Numbers, job, list, stats);
+        } else {
+            tile.draw(&mut Wet(brushes), job, list, stats);
+        }
+    }
+
+    fn store(
+        brushes: &mut Brushes<'_, P>,
+        tile: &mut Tile,
+        strip: &mut Strip<'_>,
+        (index, left): (usize, u32),
+        clear: Option<&Clear>,
+        stats: &mut Stats,
+    ) {
+        if brushes.painter().order() == PaintOrder::Last {
+            tile.store_painted(strip, left, clear, brushes, stats);
+        } else {
+            tile.store(strip, left);
+        }
+        tile.mark(&mut strip.painted[index], stats);
+    }
+}

@@ -1,0 +1,98 @@
+//! Images drawn as a whole by the engine: the same bytes and the same counts as one triangle after another.
+
+use crate::{pipeline::random_scene, support::Random};
+use rasterscope_core::{
+    labs::Stage,
+    pipeline::{Frame, Pipeline, Rasterizer, Reason, Skip, Skips},
+    raster::Algorithm,
+    scene::{PRESETS, Scene, model},
+};
+
+fn drawn(scene: &Scene, rasterizer: Rasterizer, skips: &Skips) -> Frame {
+    let mut pipeline = Pipeline::new(rasterizer);
+    pipeline.update(scene, skips);
+    pipeline.into_frame()
+}
+
+/// The same image, and in each stage the same counts, also of what was dropped and why.
+#[track_caller]
+fn check(name: &str, scene: &Scene, skips: Skips) {
+    let each = drawn(scene, Rasterizer::Each(Algorithm::Scanline), &skips);
+    let whole = drawn(scene, Rasterizer::Engine, &skips);
+    assert!(whole.same_image(&each), "{name}, {skips:?}: another image");
+    for stage in Stage::ALL {
+        assert_eq!(whole.stats.stage(stage), each.stats.stage(stage), "{name}, {skips:?}, {stage:?}");
+    }
+    for skip in [Skip::EarlyZ, Skip::BackFace, Skip::Frustum] {
+        assert_eq!(whole.stats.skipped(skip), each.stats.skipped(skip), "{name}, {skips:?}, {skip:?}");
+    }
+}
+
+fn skip_sets() -> impl Iterator<Item = Skips> {
+    let without =
+        [Skip::EarlyZ, Skip::Deferred, Skip::HierarchicalZ, Skip::Tile, Skip::BackFace, Skip::Clear];
+    [Skips::ALL, Skips::NONE].into_iter().chain(without.map(|skip| Skips::ALL.with(skip, false)))
+}
+
+#[test]
+fn presets_are_drawn_and_counted_alike() {
+    let mut load = |name: &str| model(name).map(<[u8]>::to_vec).ok_or_else(|| name.to_string());
+    for preset in PRESETS {
+        let scene = Scene::from_json(preset.json.as_bytes()).expect("presets are right");
+        let scene = scene.resolve(&mut load).expect("their models are built in");
+        check(preset.name, &scene, Skips::ALL);
+    }
+}
+
+#[test]
+fn random_scenes_over_many_tiles_are_drawn_and_counted_alike() {
+    let mut random = Random::new(20);
+    for round in 0..120 {
+        let mut scene = random_scene(&mut random);
+        // Larger than a tile in both directions, and not a multiple of one.
+        scene.size = [60 + random.below(90), 50 + random.below(100)];
+        for skips in skip_sets() {
+            check(&format!("scene {round}"), &scene, skips);
+        }
+    }
+}
+
+/// What is drawn next does not depend on what was drawn before, however the two differ.
+#[test]
+fn one_image_after_another() {
+    let mut random = Random::new(21);
+    let mut pipeline = Pipeline::default();
+    for round in 0..60 {
+        let scene = random_scene(&mut random);
+        let expected = drawn(&scene, Rasterizer::Each(Algorithm::Scanline), &Skips::NONE);
+        for _ in 0..2 {
+            assert!(pipeline.update(&scene, &Skips::ALL).frame.same_image(&expected), "scene {round}");
+            // The same size and clear values, so that the tiles are kept.
+            let moved = Scene { draws: scene.draws[1..].to_vec(), ..scene.clone() };
+            pipeline.update(&moved, &Skips::ALL);
+        }
+    }
+}
+
+/// One triangle hides another, drawn before it or behind it: all pixels are counted, and coloured once.
+#[test]
+fn what_is_hidden_is_counted_and_costs_no_colour() {
+    let scene = Scene::from_json(
+        br#"{"rasterscope": 1, "size": [200, 150], "draws": [
+            {"name": "near", "vertices": [[-9, -9, 1], [9, -9, 1], [0, 9, 1]], "colors": [[1,0,0,1],[0,1,0,1],[0,0,1,1]]},
+            {"name": "far", "vertices": [[-9, -9, 0], [9, -9, 0], [0, 9, 0]], "colors": [[1,0,0,1],[0,1,0,1],[0,0,1,1]]}
+        ]}"#,
+    )
+    .expect("it is right");
+    let frame = drawn(&scene, Rasterizer::Engine, &Skips::ALL);
+    let fragments = frame.stats.stage(Stage::Fragments).went;
+    assert!(fragments > 30_000, "{fragments}");
+    assert_eq!(frame.stats.skipped(Skip::EarlyZ), fragments - frame.stats.stage(Stage::Image).went);
+    assert!(frame.stats.skipped(Skip::HierarchicalZ) > 0);
+    let mut backwards = scene.clone();
+    backwards.draws.reverse();
+    let frame = drawn(&backwards, Rasterizer::Engine, &Skips::ALL);
+    let redrawn = frame.stats.stage(Stage::Image).dropped(Reason::Redrawn);
+    assert!(redrawn > 20_000, "{redrawn}");
+    assert_eq!(frame.stats.skipped(Skip::Deferred), redrawn);
+}

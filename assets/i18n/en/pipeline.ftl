@@ -72,16 +72,6 @@ pipeline-pixel-blend-min = { $channel }: min({ $source }, { $stored }) = { $resu
 pipeline-pixel-blend-max = { $channel }: max({ $source }, { $stored }) = { $result } → { $code }
 
 pipeline-pixel-drawn = { $name } drew this pixel.
-pipeline-pixel-clear = No triangle drew this pixel: it shows the clear colour.
-
-pipeline-overlay-none = nothing
-pipeline-overlay-depth = depth
-pipeline-overlay-stencil = stencil
-pipeline-overlay-generated = fragments got
-pipeline-overlay-written = fragments written
-pipeline-overlay-wireframe = wireframe
-pipeline-overlay-triangle = triangle at pointer
-pipeline-overlay-changed = changed pixels
 pipeline-pixel-why-own-black = { $name } drew this pixel, and is black there itself.
 pipeline-pixel-why-left-black = { $name } was blended over this pixel last, and that left it black.
 pipeline-pixel-why-transparent = { $name } came last, with alpha 0: it changed nothing.
@@ -94,3 +84,13 @@ pipeline-pixel-why-lost-tie = The pixel is clear: its centre lies on an edge of 
 pipeline-pixel-why-cut-off = The pixel is clear: the { $plane } plane cut off what { $name } would show here.
 pipeline-pixel-why-back-facing = The pixel is clear: { $name } would cover it, but is culled, as it shows its back.
 pipeline-pixel-why-front-facing = The pixel is clear: { $name } would cover it, but is culled, as it shows its front.
+pipeline-pixel-clear = No triangle drew this pixel: it shows the clear colour.
+
+pipeline-overlay-none = nothing
+pipeline-overlay-depth = depth
+pipeline-overlay-stencil = stencil
+pipeline-overlay-generated = fragments got
+pipeline-overlay-written = fragments written
+pipeline-overlay-wireframe = wireframe
+pipeline-overlay-triangle = triangle at pointer
+pipeline-overlay-changed = changed pixels

@@ -1,4 +1,4 @@
-//! What is counted while an image is drawn, whoever draws it.
+//! What happens to fragments, counted during one image.
 
 use super::{
     Skip, Stats,

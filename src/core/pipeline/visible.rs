@@ -21,7 +21,7 @@ pub(super) struct Visible {
     pub(super) unclipped: bool,
 }
 
-/// The planes beside the picture.
+/// The planes beside the picture, the first ones of [`Plane::ALL`].
 const SIDES: [Plane; 4] = [Plane::Left, Plane::Right, Plane::Bottom, Plane::Top];
 
 impl Visible {
@@ -30,11 +30,11 @@ impl Visible {
         !self.unclipped || SIDES.contains(&plane)
     }
 
-    /// Which of the planes a point lies strictly outside of: a bit for each of [`Plane::ALL`].
+    /// Which of the planes a point lies strictly outside of, one bit each, as in [`outcode`].
     #[inline]
     pub(super) fn outcode(&self, point: Point) -> u8 {
-        let bit = |plane: Plane| u8::from(self.clips_at(plane)) << plane as u8;
-        outcode(point, self.range) & Plane::ALL.into_iter().map(bit).sum::<u8>()
+        let sides = if self.unclipped { (1 << SIDES.len()) - 1 } else { u8::MAX };
+        outcode(point, self.range) & sides
     }
 
     /// The first of the planes that all three vertices lie strictly outside of.

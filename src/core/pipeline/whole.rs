@@ -51,8 +51,8 @@ struct Place {
 impl Whole {
     /// Whether the engine has a way to draw such an image.
     pub(super) fn can_draw(state: &ImageState, draws: &[FragmentState]) -> bool {
-        let stored = state.samples == Samples::One && DepthStore::of(state.format).is_some();
-        stored && draws.iter().all(FragmentState::is_plain)
+        let plain = draws.iter().all(FragmentState::is_plain);
+        plain && state.samples == Samples::One && DepthStore::of(state.format).is_some()
     }
 
     /// An image of clear values only, written to `frame`; `None` if the engine has no way to draw it.

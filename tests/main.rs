@@ -58,6 +58,7 @@ mod sutherland_hodgman;
 mod tour;
 mod transform;
 mod traversals;
+mod visibility;
 mod weiler_atherton;
 mod whole_images;
 mod z_buffer;

@@ -32,6 +32,8 @@ pub mod interpolate;
 
 pub mod depth;
 
+pub mod visibility;
+
 pub mod stencil;
 
 pub mod blend;

@@ -30,6 +30,7 @@ pub mod layout;
 mod legend;
 pub mod orbit;
 pub mod overlay;
+pub mod plot;
 pub mod space;
 pub mod split;
 

@@ -121,6 +121,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "depth-precision"
     "blend"
     "bench"
+    "measure"
     "figure"
     "cli"
     "tour"

@@ -37,6 +37,7 @@ impl App {
 
     /// Does one thing, without asking for unsaved edits.
     fn one(&mut self, ctx: &Context, command: Command, platform: &mut dyn Platform) {
+        self.measure.open &= !command.shows_lab();
         match command {
             Command::Seek(step) => self.seek(|app| app.run.seek(step)),
             Command::Next => self.seek(|app| app.run.next(app.view.level)),
@@ -114,6 +115,11 @@ impl App {
             Command::Picture(path) => self.write_picture(&path, platform),
             Command::Film(path) => self.start_film(ctx, &path, platform),
             Command::Stop => self.stop(),
+            Command::Measure(page) => self.measure.open(page),
+            Command::LeaveMeasure => {}
+            Command::StartMeasuring(scope) => {
+                self.measure.start(scope, ctx.input(|input| input.time), platform);
+            }
             Command::CopyPicture => self.copy_picture(ctx),
             Command::CopyValues => self.copy_values(ctx),
             Command::Dismiss => {
@@ -222,6 +228,12 @@ impl App {
             self.view.choices = false;
         } else if self.view.playing() {
             self.view.due = None;
+        } else if self.measure.open {
+            if self.measure.is_busy() {
+                self.measure.stop();
+            } else {
+                self.measure.open = false;
+            }
         } else if self.busy(ctx).is_some() || !self.split() {
             self.stop();
         } else {

@@ -5,6 +5,7 @@ use crate::{
     commands::TEXT_SIZES,
     document::Palette,
     face::{Command, Face},
+    measure::Page,
     theme::Text,
     widgets::{row, text_in},
 };
@@ -48,6 +49,9 @@ fn all(ui: &Ui, face: &Face<'_>, frame: &Frame<'_>) -> Vec<Entry> {
     let of = |id, name: String| face.words.message(&Message::new(id).with("name", Value::text(name)));
     for (name, command) in menu::WITHOUT_KEY {
         add(face.say(name), command);
+    }
+    for page in Page::ALL {
+        add(of("measure-palette", face.say(page.word())), Command::Measure(page));
     }
     for theme in ThemeName::ALL {
         add(of("ui-palette-theme", face.say(menu::theme_message(theme))), Command::Theme(theme));

@@ -52,6 +52,8 @@ pipeline-pixel-cut-before = The { $plane } plane had cut it before.
 pipeline-pixel-scissor = { $left } ≤ x < { $right }, { $top } ≤ y < { $bottom }
 pipeline-pixel-alpha = alpha { $alpha } { $compare } { $reference }
 pipeline-pixel-alpha-never = alpha { $alpha }: never kept
+pipeline-pixel-early-test = Early z may test it before its alpha is known, but not write it.
+pipeline-pixel-early-never = No early z: failing would change the stencil, so all waits for its alpha.
 pipeline-pixel-biased = depth { $plane } + bias { $bias } = { $sum }
 pipeline-pixel-biased-clamped = depth { $plane } + bias { $bias }, kept in 0 … 1: { $sum }
 pipeline-pixel-clamped = depth { $plane }, kept in 0 … 1: { $sum }

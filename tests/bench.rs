@@ -1,22 +1,26 @@
 //! `bench`: the shape of what it writes, and that inputs and errors are the same on every run. Times are
 //! not tested: they are the machine's.
 
-use rasterscope_cli::bench::{BenchOptions, bench};
+use rasterscope_cli::bench::{BenchOptions, Subject, bench};
+use rasterscope_core::stress::Family;
+use rasterscope_measure::{claims::CLAIMS, race::Stage};
 use serde_json::Value;
 use std::{
     collections::BTreeSet,
+    fs,
     io::{self, Write},
+    path::PathBuf,
     sync::LazyLock,
 };
 
-fn json(claims: bool) -> Vec<Value> {
+fn json(subject: Subject) -> Vec<Value> {
     let mut out = Vec::new();
-    bench(&BenchOptions { claims, json: true, rounds: 1 }, &mut out, None).expect("it runs");
+    bench(&BenchOptions { json: true, ..BenchOptions::new(subject, 1) }, &mut out, None).expect("it runs");
     let text = String::from_utf8(out).expect("text");
     text.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect()
 }
 
-static TABLE: LazyLock<Vec<Value>> = LazyLock::new(|| json(false));
+static TABLE: LazyLock<Vec<Value>> = LazyLock::new(|| json(Subject::Table));
 
 fn names(rows: &[Value], field: &str) -> BTreeSet<String> {
     rows.iter().filter_map(|row| row[field].as_str()).map(String::from).collect()
@@ -70,15 +74,15 @@ fn inputs_and_errors_are_the_same_on_every_run() {
         }
         rows
     };
-    for (first, second) in untimed(&TABLE).iter().zip(&untimed(&json(false))) {
+    for (first, second) in untimed(&TABLE).iter().zip(&untimed(&json(Subject::Table))) {
         assert_eq!(first, second);
     }
 }
 
 #[test]
 fn every_claim_has_numbers_and_a_verdict() {
-    let [first, second] = [json(true), json(true)].map(|lines| lines[1..].to_vec());
-    assert_eq!(first.len(), 9);
+    let [first, second] = [json(Subject::Claims), json(Subject::Claims)].map(|lines| lines[1..].to_vec());
+    assert_eq!(first.len(), 11);
     for (claim, again) in first.iter().zip(&second) {
         let verdict = claim["verdict"].as_str().expect("a verdict");
         assert!(["holds", "under-a-condition", "does-not-hold"].contains(&verdict));
@@ -116,7 +120,7 @@ impl Write for Reader {
 fn a_reader_that_leaves_ends_the_work_early_and_sees_whole_tables() {
     let mut reader = Reader { read: Vec::new(), lines: 12 };
     let mut terminal = Vec::new();
-    let options = BenchOptions { claims: false, json: false, rounds: 1 };
+    let options = BenchOptions::new(Subject::Table, 1);
     bench(&options, &mut reader, Some(&mut terminal)).expect("no failure");
     let text = String::from_utf8(reader.read).expect("text");
     assert_eq!(text.lines().count(), 12);
@@ -131,14 +135,82 @@ fn a_reader_that_leaves_ends_the_work_early_and_sees_whole_tables() {
 #[test]
 fn claims_read_as_sentences() {
     let mut out = Vec::new();
-    let options = BenchOptions { claims: true, json: false, rounds: 1 };
+    let options = BenchOptions::new(Subject::Claims, 1);
     bench(&options, &mut out, None).expect("it runs");
     let text = String::from_utf8(out).expect("text");
     assert!(!text.contains('⟨'), "{text}");
-    assert_eq!(text.matches("  It ").count(), 9, "{text}");
+    assert_eq!(text.matches("  It ").count(), 11, "{text}");
     for part in text.split("\n\n").skip(1) {
         let lines: Vec<_> = part.lines().collect();
         assert!(lines[0].ends_with('.') && lines.len() > 2, "{part}");
         assert!(lines[1..].iter().all(|line| !line.starts_with("     ")), "a series has no name: {part}");
     }
+}
+
+#[test]
+fn cost_by_triangles_and_by_pixels_is_a_table_of_three_methods() {
+    let lines = json(Subject::Growth);
+    let frames = &lines[1..];
+    assert_eq!((frames.len(), names(frames, "method").len()), (24, 3));
+    for (growing, factors) in [("triangles", [1, 10, 100, 1_000]), ("pixels", [1, 4, 16, 64])] {
+        for factor in factors {
+            let same = |frame: &&Value| frame["growing"] == growing && frame["factor"] == factor;
+            let all: Vec<&Value> = frames.iter().filter(same).collect();
+            assert_eq!(all.len(), 3, "{growing} x{factor}");
+            assert!(all.iter().all(|frame| frame["ms"].as_f64().is_some_and(|ms| ms > 0.0)), "{all:?}");
+        }
+    }
+}
+
+/// A folder of this test alone.
+fn folder(name: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("rasterscope-{name}-{}", std::process::id()));
+    fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+#[test]
+fn a_picture_shows_every_row_and_a_table_holds_it() {
+    let folder = folder("bench");
+    let options = |name: &str| BenchOptions {
+        operation: Stage::from_name("line-clipping"),
+        family: Family::from_name("beside"),
+        output: Some(folder.join(name)),
+        ..BenchOptions::new(Subject::Table, 1)
+    };
+    let read = |name: &str| {
+        bench(&options(name), &mut Vec::new(), None).expect("it runs");
+        fs::read(folder.join(name)).expect("it was written")
+    };
+    let svg = String::from_utf8(read("plot.svg")).expect("text");
+    for part in ["Line clipping: run time against error", "Cohen–Sutherland", "exact", "f32, as taught"] {
+        assert!(svg.contains(part), "{part}");
+    }
+    let csv = String::from_utf8(read("table.csv")).expect("text");
+    // The machine, the names of fields, the fast call, and five algorithms in three arithmetics.
+    assert_eq!(csv.lines().count(), 2 + 1 + 15, "{csv}");
+    let json: Value = serde_json::from_slice(&read("table.json")).expect("JSON");
+    assert_eq!(json["results"].as_array().map(Vec::len), Some(16));
+    assert!(read("plot.png").starts_with(b"\x89PNG"));
+    let refused = bench(&options("plot.gif"), &mut Vec::new(), None);
+    assert_eq!(refused.map_err(|failure| failure.exit_code()), Err(2));
+    fs::remove_dir_all(folder).expect("it was there");
+}
+
+#[test]
+fn every_claim_has_a_picture() {
+    let folder = folder("claims");
+    let output = Some(folder.join("plots"));
+    bench(&BenchOptions { output, ..BenchOptions::new(Subject::Claims, 1) }, &mut Vec::new(), None)
+        .expect("it runs");
+    let pictures = fs::read_dir(folder.join("plots")).expect("a folder");
+    let mut names: Vec<_> = pictures.map(|file| file.expect("a file").file_name()).collect();
+    names.sort();
+    assert_eq!(names.len(), CLAIMS.len() + 1, "{names:?}");
+    for claim in &CLAIMS {
+        let svg = fs::read_to_string(folder.join("plots").join(format!("{}.svg", claim.name)));
+        let svg = svg.expect("it was written");
+        assert!(!svg.contains('⟨') && svg.contains("It "), "{}", claim.name);
+    }
+    fs::remove_dir_all(folder).expect("it was there");
 }

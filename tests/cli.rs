@@ -29,9 +29,8 @@ pub(crate) fn folder(name: &str) -> PathBuf {
 
 /// A file of its own with these contents.
 pub(crate) fn file(folder: &Path, name: &str, contents: impl AsRef<[u8]>) -> PathBuf {
-    let path = folder.join(name);
-    fs::write(&path, contents).expect("a file can be written");
-    path
+    fs::write(folder.join(name), contents).expect("a file can be written");
+    folder.join(name)
 }
 
 fn traced(algorithm: &str, file: &Path, format: TraceFormat) -> Result<String, Failure> {
@@ -114,7 +113,15 @@ fn what_cannot_be_traced_is_said_in_a_sentence() {
 
 fn picture(lab: &str, file: &Path, step: Option<usize>, output: &Path) -> Result<(), Failure> {
     let (lab, file, output) = (lab.to_owned(), file.to_owned(), output.to_owned());
-    let options = FigureOptions { lab, file, step, size: SIZE, theme: ThemeName::Light, output };
+    let options = FigureOptions {
+        lab,
+        file,
+        step,
+        size: SIZE,
+        overlay: Default::default(),
+        theme: ThemeName::Light,
+        output,
+    };
     figure(&options, &mut Vec::new())
 }
 
@@ -142,7 +149,15 @@ fn a_figure_is_the_picture_of_a_step_as_svg_or_png() {
 /// The number of frames, and the first one's pixels.
 fn animated(lab: &str, file: &Path, level: Option<Level>, output: &Path) -> Result<(u32, Vec<u8>), Failure> {
     let (lab, file, output) = (lab.to_owned(), file.to_owned(), output.to_owned());
-    let options = FigureOptions { lab, file, step: None, size: [160, 120], theme: ThemeName::Light, output };
+    let options = FigureOptions {
+        lab,
+        file,
+        step: None,
+        size: [160, 120],
+        overlay: Default::default(),
+        theme: ThemeName::Light,
+        output,
+    };
     let mut progress = Vec::new();
     animate(&options, AnimateOptions { level, delay: 100 }, Some(&mut progress))?;
     assert!(String::from_utf8_lossy(&progress).contains("Frame 1 of "));
@@ -309,7 +324,15 @@ fn a_step_past_the_end_is_the_end_and_is_noted() {
     for (step, noted) in [(Some(99_999), true), (Some(12), false), (None, false)] {
         let (lab, file, output) = ("cohen-sutherland".into(), line.clone(), folder.join("a.svg"));
         let mut notes = Vec::new();
-        let options = FigureOptions { lab, file, step, size: SIZE, theme: ThemeName::Light, output };
+        let options = FigureOptions {
+            lab,
+            file,
+            step,
+            size: SIZE,
+            overlay: Default::default(),
+            theme: ThemeName::Light,
+            output,
+        };
         figure(&options, &mut notes).expect("it is drawn");
         let notes = String::from_utf8(notes).expect("text");
         assert_eq!((notes.contains("12 steps"), notes.is_empty()), (noted, !noted), "{notes}");
@@ -340,7 +363,7 @@ fn a_file_is_replaced_as_its_owner_wants() {
     symlink("new.svg", &dangling).expect("a link can be made");
     for path in [&link, &dangling] {
         picture("cohen-sutherland", &line, None, path).expect("it is drawn");
-        assert!(path.is_symlink());
+        assert!(path.is_symlink(), "{path:?}");
         assert!(fs::read_to_string(path).expect("it is there").starts_with("<svg "));
     }
     assert_eq!(mode(&private), 0o600);
@@ -351,11 +374,10 @@ fn a_file_is_replaced_as_its_owner_wants() {
 fn what_is_in_the_way_of_output_is_named() {
     let folder = folder("in-the-way");
     let line = file(&folder, "line.json", LINE);
-    let missing = folder.join("missing");
-    let failure = picture("cohen-sutherland", &line, None, &missing.join("a.svg")).expect_err("no folder");
+    let missing = folder.join("missing/a.svg");
+    let failure = picture("cohen-sutherland", &line, None, &missing).expect_err("no folder");
     assert!(sentence(&failure).contains("missing does not exist"), "{failure}");
-    let options = TourOptions { file: None, output: line };
-    let failure = tour(&options, None).expect_err("a file is no folder");
+    let failure = tour(&TourOptions { file: None, output: line }, None).expect_err("a file is no folder");
     assert!(sentence(&failure).contains("in the way"), "{failure}");
 }
 
@@ -372,7 +394,7 @@ fn a_scene_that_leaves_the_range_of_binary32_is_refused_by_name() {
         let failure = open_scene(Some(&file(&folder, "scene.json", contents))).expect_err("out of range");
         assert!(sentence(&failure).contains(&format!("scene.json: {place}: ")), "{failure}");
     }
-    for preset in PRESETS {
-        open_scene(Some(Path::new(preset.name))).expect("presets stay in range");
-    }
+    PRESETS
+        .iter()
+        .for_each(|preset| drop(open_scene(Some(Path::new(preset.name))).expect("it stays in range")));
 }

@@ -322,6 +322,7 @@ fn a_figure_of_two_sides_has_both() {
         file: "two-sides-rounding".into(),
         step: None,
         size: SIZE,
+        overlay: Default::default(),
         theme: ThemeName::Light,
         output: output.clone(),
     };

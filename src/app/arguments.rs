@@ -2,13 +2,17 @@
 
 use clap::{Arg, ArgAction, ArgMatches, Command, builder::PossibleValuesParser, value_parser};
 use rasterscope_cli::{
-    bench::BenchOptions,
+    bench::{BenchOptions, Subject},
     figure::{self, AnimateOptions, FigureOptions},
     tour::TourOptions,
     trace::{TraceFormat, TraceOptions},
 };
-use rasterscope_core::explain::Level;
+use rasterscope_core::{explain::Level, pipeline::Overlay, stress::Family};
 use rasterscope_figure::{animation, theme::ThemeName, words::Words};
+use rasterscope_measure::{
+    pictures::ErrorKind,
+    race::{STAGES, Stage},
+};
 use std::path::PathBuf;
 
 /// What is asked for.
@@ -28,7 +32,7 @@ pub(crate) enum Request {
     Animate(FigureOptions, AnimateOptions),
     /// The page.
     Tour(TourOptions),
-    /// Run time against error.
+    /// Measurements.
     Bench(BenchOptions),
     /// What there is.
     List,
@@ -44,6 +48,9 @@ fn command(words: &Words) -> Command {
         |name: &'static str, help| Arg::new(name).help(words.word(help)).value_parser(value_parser!(PathBuf));
     let output = |help| path("output", help).short('o').long("output").required(true);
     let names = |all: &[&'static str]| PossibleValuesParser::new(all.to_vec());
+    let choice = |name: &'static str, help, all: &[&'static str]| {
+        Arg::new(name).long(name).help(words.word(help)).value_parser(names(all))
+    };
     let sub = |name: &'static str, about| Command::new(name).about(words.word(about));
     Command::new("rasterscope")
         .version(env!("CARGO_PKG_VERSION"))
@@ -96,6 +103,13 @@ fn command(words: &Words) -> Command {
                         .value_parser(names(&ThemeName::ALL.map(ThemeName::name))),
                 )
                 .arg(
+                    Arg::new("overlay")
+                        .long("overlay")
+                        .help(words.word("app-figure-overlay"))
+                        .conflicts_with("animate")
+                        .value_parser(names(&figure::OVERLAYS.map(Overlay::name))),
+                )
+                .arg(
                     Arg::new("animate")
                         .long("animate")
                         .help(words.word("app-figure-animate"))
@@ -124,10 +138,15 @@ fn command(words: &Words) -> Command {
             sub("bench", "app-bench")
                 .arg(
                     Arg::new("what")
-                        .value_name("claims")
-                        .help(words.word("app-bench-claims"))
-                        .value_parser(names(&["claims"])),
+                        .value_name("claims|growth")
+                        .help(words.word("app-bench-what"))
+                        .value_parser(names(&Subject::NAMED.map(|(name, _)| name))),
                 )
+                .arg(choice("operation", "app-bench-operation", &STAGES.each_ref().map(|stage| stage.name)))
+                .arg(choice("workload", "app-bench-workload", &Family::ALL.map(Family::name)))
+                .arg(choice("error", "app-bench-error", &ErrorKind::ALL.map(ErrorKind::name)))
+                .arg(choice("theme", "app-bench-theme", &ThemeName::ALL.map(ThemeName::name)))
+                .arg(path("output", "app-bench-output").short('o').long("output"))
                 .arg(
                     Arg::new("json")
                         .long("json")
@@ -175,6 +194,7 @@ fn request(matches: &ArgMatches) -> Request {
                 file: path(matches, "file").unwrap_or_default(),
                 step: matches.get_one("step").copied(),
                 size: matches.get_one("size").copied().unwrap_or(figure::SIZE),
+                overlay: Overlay::from_name(&text("overlay")).unwrap_or_default(),
                 theme: ThemeName::from_name(&text("theme")).unwrap_or_default(),
                 output: path(matches, "output").unwrap_or_default(),
             };
@@ -190,9 +210,17 @@ fn request(matches: &ArgMatches) -> Request {
             output: path(matches, "output").unwrap_or_default(),
         }),
         "bench" => Request::Bench(BenchOptions {
-            claims: matches.contains_id("what"),
+            subject: Subject::NAMED
+                .into_iter()
+                .find(|(name, _)| *name == text("what"))
+                .map_or(Subject::Table, |(_, subject)| subject),
+            operation: Stage::from_name(&text("operation")),
+            family: Family::from_name(&text("workload")),
+            error: ErrorKind::from_name(&text("error")).unwrap_or_default(),
             json: matches.get_flag("json"),
-            rounds: matches.get_one("rounds").copied().unwrap_or(BenchOptions::ROUNDS),
+            rounds: matches.get_one("rounds").copied().unwrap_or(rasterscope_measure::ROUNDS),
+            output: path(matches, "output"),
+            theme: ThemeName::from_name(&text("theme")).unwrap_or_default(),
         }),
         _ => Request::List,
     }
@@ -232,6 +260,8 @@ mod tests {
         for part in ["z-buffer", "Some(3)", "[640, 480]", "Light", "a.svg"] {
             assert!(figure.contains(part), "{part} in {figure}");
         }
+        let laid = read("rasterscope figure pipeline a.json --overlay written -o a.svg");
+        assert!(laid.unwrap_or_default().contains("overlay: Written"));
         let film = read("rasterscope figure z-buffer a.json --animate --level row --delay 80 -o a.png");
         let film = film.unwrap_or_default();
         for part in ["Animate(", "Some(Row)", "delay: 80"] {
@@ -240,11 +270,26 @@ mod tests {
     }
 
     #[test]
+    fn a_benchmark_is_narrowed_down() {
+        let bench = read(
+            "rasterscope bench --operation coverage --workload sliver --error wrong --rounds 3 -o a.svg",
+        );
+        let bench = bench.unwrap_or_default();
+        for part in ["subject: Table", "\"coverage\"", "Some(Sliver)", "error: Wrong", "rounds: 3", "a.svg"] {
+            assert!(bench.contains(part), "{part} in {bench}");
+        }
+        let growth = read("rasterscope bench growth --json").unwrap_or_default();
+        assert!(growth.contains("subject: Growth") && growth.contains("json: true"), "{growth}");
+    }
+
+    #[test]
     fn wrong_use_ends_with_2() {
         for line in [
             "rasterscope tour",
             "rasterscope figure z-buffer a.json --size big -o a.svg",
             "rasterscope figure z-buffer a.json --theme pink -o a.svg",
+            "rasterscope figure pipeline a.json --overlay changed -o a.svg",
+            "rasterscope figure pipeline a.json --overlay depth --animate -o a.png",
             "rasterscope figure z-buffer a.json --level row -o a.png",
             "rasterscope figure z-buffer a.json --animate --step 3 -o a.png",
             "rasterscope figure z-buffer a.json --animate --delay 1 -o a.png",
@@ -253,6 +298,8 @@ mod tests {
             "rasterscope trace z-buffer a.json --format xml",
             "rasterscope compute a.json --lines",
             "rasterscope a.json b.json",
+            "rasterscope bench everything",
+            "rasterscope bench --operation painting",
         ] {
             assert_eq!(read(line), Err(2), "{line}");
         }

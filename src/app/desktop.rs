@@ -1,13 +1,15 @@
 //! The window's [`Platform`] on the desktop: real files, and the system's file dialog.
 
 use eframe::egui::Context;
-use rasterscope_cli::files::write_whole;
-use rasterscope_ui::{Platform, Purpose, Reader};
+use rasterscope_cli::{bench, files::write_whole};
+use rasterscope_measure::Machine;
+use rasterscope_ui::{Clock, Platform, Purpose, Reader};
 use std::{
     fs, io,
     path::{Path, PathBuf},
     sync::mpsc::{self, Receiver, Sender},
     thread,
+    time::Instant,
 };
 
 /// The name of the program's own folder.
@@ -89,5 +91,14 @@ impl Platform for Desktop {
             work();
             ctx.request_repaint();
         });
+    }
+
+    fn clock(&mut self) -> Clock {
+        let start = Instant::now();
+        Box::new(move || start.elapsed().as_secs_f64())
+    }
+
+    fn machine(&mut self) -> Machine {
+        bench::machine()
     }
 }

@@ -5,7 +5,8 @@ use rasterscope_core::{
     explain::{Level, Mark, View},
     labs,
     message::{Message, Value},
-    pipeline::{self, Skips},
+    pipeline::{Layer, Overlay, Pipeline, PixelCounts, Skips},
+    raster::Algorithm,
     replay::{Budget, Playback},
     scene::Scene,
 };
@@ -13,7 +14,7 @@ use rasterscope_figure::{
     animation::Film,
     figure::Figure,
     layout::{self, Placement},
-    png, space, split, svg,
+    overlay, png, space, split, svg,
     theme::{Theme, ThemeName},
 };
 use std::{io::Write, path::PathBuf};
@@ -21,13 +22,17 @@ use std::{io::Write, path::PathBuf};
 use crate::{
     Failure, files,
     progress::Progress,
-    tour::{image, image_view},
+    tour::{image_view, opaque},
     trace::check_name,
     words::{WORDS, say},
 };
 
 /// Width and height in points, unless the options say otherwise: a canvas of 4 to 3.
 pub const SIZE: [u32; 2] = [960, 720];
+
+/// What a picture without a pointer and without an edit can show on the image.
+pub const OVERLAYS: [Overlay; 5] =
+    [Overlay::Depth, Overlay::Stencil, Overlay::Generated, Overlay::Written, Overlay::Wireframe];
 
 /// Pixels of a PNG for each point.
 pub(crate) const PIXELS_PER_POINT: f32 = 2.0;
@@ -46,6 +51,8 @@ pub struct FigureOptions {
     pub step: Option<usize>,
     /// Width and height in points, each in 16..=8192.
     pub size: [u32; 2],
+    /// What lies on the image of the pipeline at its end.
+    pub overlay: Overlay,
     /// In which colours.
     pub theme: ThemeName,
     /// Where it goes; `.svg` or `.png`.
@@ -140,6 +147,10 @@ impl FigureOptions {
             let file = Value::text(self.output.display());
             return Err(Failure::usage(&Message::new(wrong).with("file", file)));
         };
+        let end_of_pipeline = self.lab == "pipeline" && self.step.is_none();
+        if self.overlay != Overlay::None && !end_of_pipeline {
+            return Err(Failure::usage(&Message::new("error-figure-overlay")));
+        }
         if self.size.iter().any(|side| !(16..=8192).contains(side)) {
             return Err(Failure::usage(&Message::new("error-figure-size")));
         }
@@ -153,8 +164,14 @@ impl FigureOptions {
 
 /// The end of the whole pipeline is the image itself, of any scene.
 fn end_of_pipeline(scene: &Scene, options: &FigureOptions) -> Figure {
-    let frame = pipeline::render(scene, &Skips::ALL);
-    lay_out(&[image(&frame)], &image_view(scene), options.points(), options.theme.theme())
+    let mut pipeline = Pipeline::new(Algorithm::Scanline);
+    let outputs = pipeline.update(scene, &Skips::ALL);
+    let counts = options.overlay.counts().then(|| PixelCounts::of(scene, outputs));
+    let layer = Layer::of(options.overlay, scene, outputs, counts.as_ref(), None);
+    let theme = options.theme.theme();
+    let size = outputs.frame.size.map(|side| side as usize);
+    let marks = overlay::marks(&layer, size, &opaque(&outputs.frame), theme);
+    lay_out(&marks, &image_view(scene), options.points(), theme)
 }
 
 /// The drawing of a run at its cursor.

@@ -5,6 +5,7 @@
 //! what a mark means, a [`Message`] names a sentence.
 
 mod cells;
+mod field;
 mod label;
 mod operations;
 mod pixel;
@@ -13,6 +14,7 @@ mod table;
 
 pub(crate) use cells::Cells;
 pub use cells::MOST_PIXELS;
+pub use field::{Field, Numbers, Tone};
 pub use label::Label;
 pub use operations::Operations;
 pub use pixel::PixelReport;
@@ -227,6 +229,19 @@ pub enum Mark {
         /// RGBA8, row by row from the top; its length is `4 * width * height`.
         rgba: std::sync::Arc<Vec<u8>>,
     },
+    /// The numbers of a picture in its cells, where there is room for them; its shades are not drawn.
+    Numbers(std::sync::Arc<Field>),
+    /// What the shades of a picture mean: an entry of the legend at its foot.
+    Ramp {
+        /// How they look.
+        tone: Tone,
+        /// The numbers of the weakest and of the strongest.
+        ends: [Value; 2],
+        /// What they count.
+        meaning: Message,
+    },
+    /// Thin lines, all alike: the wires of a mesh.
+    Wires(std::sync::Arc<Vec<[[f32; 2]; 2]>>),
     /// Geometry in space, for a lab that has a [`Vantage`]: seen through the camera outside.
     Space(Solid),
 }

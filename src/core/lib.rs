@@ -34,6 +34,8 @@ pub mod shade;
 
 pub mod depth;
 
+pub mod visibility;
+
 pub mod stencil;
 
 pub mod blend;

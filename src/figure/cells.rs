@@ -13,6 +13,7 @@ use crate::{
     geometry::Rect,
     markers::{disc, marker, ring},
     numbers::{CELL_DECIMALS, ColumnFormat},
+    placement::Placement,
     theme::{Color, Marker, ThemeName},
 };
 
@@ -93,7 +94,7 @@ impl Cells {
     /// Draws the pixel that is mark number `index`.
     pub(crate) fn pixel(&self, canvas: &mut Canvas<'_>, index: usize, mark: &Mark) {
         let Mark::Pixel { at, role, object, value } = mark else { return };
-        let Some(rect) = cell_rect(canvas, *at, [1, 1]) else { return };
+        let Some(rect) = cell_rect(&canvas.placement, canvas.rect, *at, [1, 1]) else { return };
         let covered = self.objects.get(at).is_some_and(|&last| last != index);
         let ground = fill(canvas, rect, *role, *object, covered);
         let shown = match self.values.get(at) {
@@ -263,7 +264,7 @@ fn fill(canvas: &mut Canvas<'_>, rect: Rect, role: Role, object: Option<usize>, 
 /// Shades a pixel over its fill: the later in the run, the stronger.
 pub(crate) fn shade(canvas: &mut Canvas<'_>, at: [i32; 2], share: f32) {
     let color = canvas.theme.text.alpha(0.05 + 0.4 * share.clamp(0.0, 1.0));
-    if let Some(rect) = cell_rect(canvas, at, [1, 1]) {
+    if let Some(rect) = cell_rect(&canvas.placement, canvas.rect, at, [1, 1]) {
         run(canvas, rect, color);
     }
 }
@@ -277,7 +278,8 @@ pub(crate) fn cells_of_row(
     object: Option<usize>,
 ) {
     if begin < end
-        && let Some(rect) = cell_rect(canvas, [begin, y], [end.saturating_sub(begin), 1])
+        && let Some(rect) =
+            cell_rect(&canvas.placement, canvas.rect, [begin, y], [end.saturating_sub(begin), 1])
     {
         fill(canvas, rect, role, object, false);
     }
@@ -327,7 +329,7 @@ impl Cells {
                 .last()
                 .map_or(first, |x| x + 1);
             if first < end
-                && let Some(rect) = cell_rect(canvas, [first, y], [end - first, 1])
+                && let Some(rect) = cell_rect(&canvas.placement, canvas.rect, [first, y], [end - first, 1])
             {
                 let color = canvas.active_fill();
                 canvas.push(Layer::Fill, Canvas::rect_shape(rect, 0.0, Some(color), None));
@@ -354,12 +356,12 @@ fn covered(ends: [f32; 2]) -> [i32; 2] {
 }
 
 /// The cells from `at` on, `size` of them across and down, on whole points; `None` if off the canvas.
-fn cell_rect(canvas: &Canvas<'_>, at: [i32; 2], size: [i32; 2]) -> Option<Rect> {
+pub(crate) fn cell_rect(placement: &Placement, canvas: Rect, at: [i32; 2], size: [i32; 2]) -> Option<Rect> {
     let far = [0, 1].map(|axis| f64::from(at[axis]) + f64::from(size[axis]));
-    let [a, b] = [at.map(f64::from), far].map(|p| canvas.placement.wide(p).map(f64::round));
+    let [a, b] = [at.map(f64::from), far].map(|p| placement.wide(p).map(f64::round));
     let rect =
         Rect { min: [0, 1].map(|axis| a[axis].min(b[axis])), max: [0, 1].map(|axis| a[axis].max(b[axis])) };
-    rect.overlaps(canvas.rect).then_some(rect)
+    rect.overlaps(canvas).then_some(rect)
 }
 
 /// Says that cells are too small for their values, and how much to zoom in; `None` if they are not.

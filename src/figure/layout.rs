@@ -16,7 +16,7 @@ use crate::{
     geometry::{Rect, centroid, distance, mix},
     grid,
     labels::{self, Anchor, Wish},
-    legend, markers,
+    legend, markers, overlay,
     theme::Theme,
     words::Words,
 };
@@ -95,8 +95,10 @@ pub fn draw_held(
             }
             Mark::Span { y, ends, role } => cells.span(&mut canvas, *y, *ends, *role),
             Mark::Text { at, label, role, big } => text(&mut canvas, *at, label, *role, *big),
-            Mark::Key { .. } => {}  // at the foot, when the rest has its place
-            Mark::Hint { .. } => {} // for a pointer
+            Mark::Numbers(field) => overlay::numbers(&mut canvas, field),
+            Mark::Wires(lines) => overlay::wires(&mut canvas, lines),
+            Mark::Key { .. } | Mark::Ramp { .. } => {} // at the foot, when the rest has its place
+            Mark::Hint { .. } => {}                    // for a pointer
             Mark::Image { size, rgba } => image(&mut canvas, *size, rgba),
             // Of no plane: `space::seen` turns it into marks that are.
             Mark::Space(_) => {}

@@ -29,6 +29,8 @@ mod labels;
 pub mod layout;
 mod legend;
 pub mod orbit;
+pub mod overlay;
+pub mod plot;
 pub mod space;
 pub mod split;
 

@@ -133,6 +133,8 @@ pub struct Theme {
     pub object_alpha: f32,
     /// Added to the width of every stroke except the grid's.
     pub extra_stroke: f32,
+    /// Shades from the weakest to the strongest, with equal steps of lightness.
+    pub(crate) heat: [Color; 6],
     /// Sizes of text.
     pub sizes: TypeSizes,
     /// Colours of the roles, in the order of [`Role::ALL`].

@@ -36,6 +36,19 @@ const HALL: TypeSizes = TypeSizes {
     smallest: 15.0,
 };
 
+/// From indigo to salmon, in equal steps of OKLab's lightness (Ottosson 2020); no role wears it.
+const HEAT: [Color; 6] = [
+    Color::hex(0x2B2458),
+    Color::hex(0x62377A),
+    Color::hex(0x9D4E87),
+    Color::hex(0xCF7187),
+    Color::hex(0xEFA08F),
+    Color::hex(0xFDD5B7),
+];
+
+/// The same for bright grounds, so that the strongest is farthest from the canvas.
+const HEAT_ON_WHITE: [Color; 6] = [HEAT[5], HEAT[4], HEAT[3], HEAT[2], HEAT[1], HEAT[0]];
+
 pub(crate) static DARK: Theme = Theme {
     name: ThemeName::Dark,
     canvas: Color::hex(0x0F1317),
@@ -55,6 +68,7 @@ pub(crate) static DARK: Theme = Theme {
     objects: [Color::hex(0x4E7CA6), Color::hex(0xC4965A), Color::hex(0x8C6BA8), Color::hex(0x6F9460)],
     object_alpha: 0.66,
     extra_stroke: 0.0,
+    heat: HEAT,
     sizes: NORMAL,
     roles: [
         Color::hex(0xFFD24A),
@@ -89,6 +103,7 @@ pub(crate) static LIGHT: Theme = Theme {
     objects: [Color::hex(0x8DB4D6), Color::hex(0xE6BE86), Color::hex(0xC0A8D8), Color::hex(0xAFCB9F)],
     object_alpha: 1.0,
     extra_stroke: 0.0,
+    heat: HEAT_ON_WHITE,
     sizes: NORMAL,
     roles: [
         Color::hex(0x14191F),
@@ -123,6 +138,7 @@ pub(crate) static PROJECTOR: Theme = Theme {
     objects: [Color::hex(0xA9CBE8), Color::hex(0xF2CE9C), Color::hex(0xD3BFE8), Color::hex(0xC0DBB0)],
     object_alpha: 1.0,
     extra_stroke: 1.0,
+    heat: HEAT_ON_WHITE,
     sizes: HALL,
     roles: [
         Color::hex(0x000000),

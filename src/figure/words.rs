@@ -124,6 +124,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "depth-precision"
     "blend"
     "bench"
+    "measure"
     "figure"
     "cli"
     "tour"

@@ -5,10 +5,13 @@
 #![forbid(unsafe_code)]
 
 pub mod claims;
+pub mod growth;
+pub mod pictures;
 pub mod race;
+pub mod tables;
 
 mod machine;
 mod stopwatch;
 
 pub use machine::Machine;
-pub use stopwatch::Stopwatch;
+pub use stopwatch::{ROUNDS, Stopwatch};

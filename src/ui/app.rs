@@ -8,6 +8,7 @@ use crate::{
     keeping::Kept,
     labs::{self, Lab},
     link::Links,
+    measure::Measure,
     opening::Opening,
     overview::Overview,
     paint::Textures,
@@ -58,6 +59,8 @@ pub struct App {
     pub(crate) opening: Option<Opening>,
     /// The animated picture that is being made.
     pub(crate) film: Option<Film>,
+    /// What is measured.
+    pub(crate) measure: Measure,
     /// Where the document came from, and what was last written there.
     pub(crate) path: Option<String>,
     /// The document as it was opened or saved; `None`: its edits are in no file.
@@ -105,6 +108,7 @@ impl App {
             beyond: Beyond::default(),
             opening: None,
             film: None,
+            measure: Measure::default(),
             path: None,
             clean: None,
             first: false,
@@ -136,10 +140,14 @@ impl App {
             Purpose::Picture => Command::Picture(path),
             Purpose::Film => Command::Film(path),
         }));
-        commands.extend(crate::shell::keys::pressed(&ctx, &self.handles()));
+        let mut keys = crate::shell::keys::pressed(&ctx, &self.handles());
+        // Where no lab is seen, no key steps it.
+        keys.retain(|command| !self.measure.open || !command.is_of_lab());
+        commands.extend(keys);
         self.execute(&ctx, commands, platform);
         self.end_opening(&ctx, platform);
         self.end_film(&ctx, platform);
+        self.end_measuring(&ctx);
         self.play(&ctx);
         if self.only_opening(&ctx) {
             ui.painter().rect_filled(ui.max_rect(), 0, self.look.panel);

@@ -6,7 +6,7 @@ use rasterscope_core::{
     explain::Level,
     labs,
     labs::LabInput,
-    pipeline::Skips,
+    pipeline::{Overlay, Skips},
     scene::{Lab, Scene},
 };
 use rasterscope_figure::{orbit::Orbit, theme::ThemeName};
@@ -92,11 +92,22 @@ impl Document {
         if self.input().name() == name {
             return;
         }
+        self.keep_input();
+        let known = self.others.iter().rev().find_map(|other| other.carried(name));
+        self.scene.lab = Some(Lab::new(known.unwrap_or_else(first)));
+    }
+
+    /// Opens a lab with these inputs.
+    pub(crate) fn show_lab(&mut self, input: LabInput) {
+        self.keep_input();
+        self.scene.lab = Some(Lab::new(input));
+    }
+
+    /// Keeps the inputs of the lab that is open, for when it is opened again.
+    fn keep_input(&mut self) {
         let old = self.input().clone();
         self.others.retain(|other| other.name() != old.name());
         self.others.push(old);
-        let known = self.others.iter().rev().find_map(|other| other.carried(name));
-        self.scene.lab = Some(Lab::new(known.unwrap_or_else(first)));
     }
 }
 
@@ -193,6 +204,8 @@ pub(crate) struct ViewState {
     pub(crate) scenery: Scenery,
     /// Whether the overview draws the outlines of triangles.
     pub(crate) outlines: bool,
+    /// What lies on the overview's image.
+    pub(crate) overlay: Overlay,
     /// Where dragged points snap to.
     pub(crate) snap: Snap,
     /// Whether the choices lie over the canvas of a narrow window.
@@ -236,6 +249,7 @@ impl Default for ViewState {
             skips: Skips::ALL,
             scenery: Scenery::Image,
             outlines: true,
+            overlay: Overlay::None,
             snap: Snap::Half,
             choices: false,
             keys: false,

@@ -3,7 +3,7 @@
 
 use crate::{
     app::App,
-    overview::Overview,
+    overview::{Laid, Overview},
     platform::Platform,
     run::Run,
     task::{Busy, News, Progress, Task},
@@ -13,7 +13,7 @@ use rasterscope_core::{
     compare::{self, Side},
     labs as core_labs,
     message::Message,
-    pipeline::{Pipeline, Skips, out_of_range},
+    pipeline::{Overlay, Pipeline, Skips, out_of_range},
     replay::{Budget, Playback},
     scene::Scene,
 };
@@ -42,8 +42,10 @@ pub(crate) struct Evaluation {
 struct Pending {
     scene: Scene,
     skips: Skips,
-    /// Whether the image is computed, and not only the run.
+    /// Whether the image is computed, and not only the run or what lies on it.
     image: bool,
+    /// What is laid on the image.
+    overlay: Overlay,
     /// `None` if another document was opened meanwhile.
     wanted: Option<()>,
     task: Task<Evaluated>,
@@ -52,6 +54,7 @@ struct Pending {
 /// What came of it.
 struct Evaluated {
     pipeline: Option<Pipeline>,
+    laid: Option<Laid>,
     run: Option<Played>,
 }
 
@@ -79,6 +82,9 @@ impl App {
     pub(crate) fn update(&mut self, ctx: &Context, platform: &mut dyn Platform) {
         let now = ctx.input(|input| input.time);
         self.arrived();
+        if self.overview.edit_goes_on() && self.history.before().is_none() && !self.behind().image {
+            self.overview.edit_is_over();
+        }
         if !self.update_at_once() {
             self.evaluate(now, platform);
         }
@@ -95,7 +101,11 @@ impl App {
         }
         let scene = &self.document.scene;
         if behind.image {
+            self.overview.edited(self.history.before().is_some());
             self.overview.update(scene, self.view.skips);
+        }
+        if behind.laid {
+            self.overview.lay(scene, self.view.overlay);
         }
         if behind.run {
             // What side A is compared with changes nothing of it.
@@ -109,10 +119,17 @@ impl App {
 
     fn behind(&self) -> Behind {
         let scene = &self.document.scene;
+        let image = !self.overview.is_of(scene, self.view.skips);
         Behind {
-            image: !self.overview.is_of(scene, self.view.skips),
+            image,
+            laid: self.overlay_wanted() && (image || !self.overview.has_laid(self.view.overlay)),
             run: self.evaluation.ran.as_ref().is_none_or(|(old, _)| old != scene),
         }
+    }
+
+    /// Whether something lies on the image that is on the screen.
+    fn overlay_wanted(&self) -> bool {
+        self.view.overlay != Overlay::None && self.document.input().name() == "pipeline"
     }
 
     /// Starts what takes longer, one at a time: the newest document follows.
@@ -122,38 +139,51 @@ impl App {
         }
         let behind = self.behind();
         let (scene, skips) = (self.document.scene.clone(), self.view.skips);
-        let lent = if behind.image { self.overview.lend() } else { None };
+        if behind.image {
+            self.overview.edited(self.history.before().is_some());
+        }
+        let lent = if behind.image || behind.laid { self.overview.lend() } else { None };
         let (given, image) = (scene.clone(), behind.image);
+        let overlay = self.view.overlay;
+        let wanted = behind.laid.then(|| self.overview.before().cloned());
         let task = Task::start(platform, now, move |progress: &Progress| {
             let all = usize::from(lent.is_some()) + usize::from(behind.run);
             progress.tell(0, all);
             let pipeline = lent.map(|mut pipeline| {
-                pipeline.update(&given, &skips);
+                if image {
+                    pipeline.update(&given, &skips);
+                }
                 pipeline
             });
+            let laid = pipeline
+                .as_ref()
+                .zip(wanted)
+                .map(|(pipeline, before)| Laid::new(overlay, &given, pipeline.outputs(), before.as_ref()));
             progress.tell(usize::from(pipeline.is_some()), all);
             let run = behind.run.then(|| Played::start(&given, None));
-            Evaluated { pipeline, run }
+            Evaluated { pipeline, laid, run }
         });
-        self.evaluation.pending = Some(Pending { scene, skips, image, wanted: Some(()), task });
+        self.evaluation.pending = Some(Pending { scene, skips, image, overlay, wanted: Some(()), task });
     }
 
     /// Takes what was computed beside the window.
     fn arrived(&mut self) {
         let Some(pending) = self.evaluation.pending.take() else { return };
-        let Evaluated { pipeline, run } = match pending.task.news() {
+        let Evaluated { pipeline, laid, run } = match pending.task.news() {
             News::None => {
                 self.evaluation.pending = Some(pending);
                 return;
             }
             News::Done(done) => done,
             News::Lost => {
+                self.overview.forget();
                 let run = Some(Played { a: Err(Message::new("ui-lost")), b: None, fresh: 0 });
-                Evaluated { pipeline: Some(Overview::pipeline()), run }
+                Evaluated { pipeline: Some(Overview::pipeline()), laid: None, run }
             }
         };
         if let Some(pipeline) = pipeline {
             self.overview.give_back(pipeline, &pending.scene, pending.skips);
+            laid.into_iter().for_each(|laid| self.overview.take_laid(pending.overlay, laid));
         }
         // Of another document than the one that is open only the pipeline is of use.
         if let (Some(played), Some(())) = (run, pending.wanted) {
@@ -166,6 +196,7 @@ impl App {
         self.run.clear();
         self.evaluation.ran = None;
         self.evaluation.step = step;
+        self.overview.forget_edits();
         if let Some(pending) = &mut self.evaluation.pending {
             pending.wanted = None;
         }
@@ -195,8 +226,11 @@ impl App {
         else {
             return self.filming(now);
         };
-        let drawing = pending.image && done == 0;
-        let text = self.words.word(if drawing { "ui-busy-image" } else { "ui-busy-run" });
+        let text = self.words.word(match (done, pending.image) {
+            (0, true) => "ui-busy-image",
+            (0, false) if pending.overlay != Overlay::None => "ui-busy-overlay",
+            _ => "ui-busy-run",
+        });
         Some(Busy { text, part: (done as f32 + 0.5) / all.max(1) as f32, stoppable: false })
     }
 }
@@ -236,6 +270,7 @@ impl Evaluation {
 #[derive(Clone, Copy, Debug)]
 struct Behind {
     image: bool,
+    laid: bool,
     run: bool,
 }
 
@@ -248,6 +283,6 @@ impl Behind {
         let once = triangles + pixels / PIXELS;
         let run = self.run && scene.lab.as_ref().is_none_or(|lab| lab.input.is_of_scene());
         let sides = 1 + usize::from(scene.compared().is_some());
-        once * (usize::from(self.image) + sides * usize::from(run))
+        once * (usize::from(self.image) + usize::from(self.laid) + sides * usize::from(run))
     }
 }

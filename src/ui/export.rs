@@ -3,6 +3,7 @@
 use crate::{
     app::App,
     files,
+    measure::Format,
     platform::{Platform, Purpose},
     shell::{
         inspector::{Digest, csv},
@@ -20,6 +21,9 @@ pub(crate) const PIXELS_PER_POINT: f32 = 2.0;
 impl App {
     /// The path that is offered for a picture: lab, what is open, and the step.
     pub(crate) fn picture_path(&self, purpose: Purpose) -> String {
+        if self.measure.open && purpose == Purpose::Picture {
+            return format!("{}.svg", self.measure.file_name());
+        }
         let lab = self.labs[self.lab()].name();
         let open = match (&self.path, &self.preset) {
             (Some(path), _) => {
@@ -41,6 +45,12 @@ impl App {
 
     /// The drawing on the canvas, or why there is none.
     fn picture(&mut self) -> Option<Cow<'_, Figure>> {
+        if self.measure.open {
+            if self.measure.picture().is_none() {
+                self.notice = Some(Notice::Failed(self.words.word("measure-nothing")));
+            }
+            return self.measure.picture().map(Cow::Borrowed);
+        }
         if self.canvas.last_figure().is_none() {
             self.notice = Some(Notice::Failed(self.words.word("ui-no-picture")));
         }
@@ -50,6 +60,10 @@ impl App {
     /// Writes the picture as SVG or PNG, or the values of the step as CSV, as the path ends.
     pub(crate) fn write_picture(&mut self, path: &str, platform: &mut dyn Platform) {
         let ending = path.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
+        if self.measure.open && ending.as_deref() == Some("json") {
+            let text = self.measure.table(Format::Json);
+            return self.saved(path, platform.write(path, text.as_bytes()));
+        }
         if ending.as_deref() == Some("csv") {
             let text = self.values();
             return self.saved(path, platform.write(path, text.as_bytes()));
@@ -100,6 +114,9 @@ impl App {
 
     /// The values of the step, as comma-separated lines.
     fn values(&mut self) -> String {
+        if self.measure.open {
+            return self.measure.table(Format::Csv);
+        }
         let mut tables = self.digest.iter().flat_map(Digest::tables).cloned().collect::<Vec<_>>();
         if self.labs[self.lab()].name() == "pipeline" {
             tables.push((*self.overview.table(&self.words)).clone());

@@ -2,6 +2,7 @@
 
 use crate::{
     link::Links,
+    measure::{Page, Scope},
     platform::Purpose,
     theme::{Look, Text},
 };
@@ -11,6 +12,7 @@ use rasterscope_core::{
     explain::Level,
     labs::Stage,
     message::{Message, Value},
+    pipeline::Overlay,
 };
 use rasterscope_figure::{theme::ThemeName, words::Words};
 use std::cell::RefCell;
@@ -31,7 +33,7 @@ pub(crate) enum Command {
     /// Go to the next execution of a listing line.
     ToLine(usize),
     /// Go to the verdict on a fragment of the chosen pixel, counted from 0.
-    ToFragment(usize),
+    ToEntry(usize),
     /// Choose a pixel.
     Pixel([u32; 2]),
     /// Choose the pixel so many columns and rows on.
@@ -42,6 +44,8 @@ pub(crate) enum Command {
     Level(Level),
     /// Choose the steps per second of playing.
     Speed(f32),
+    /// Lay something on the overview's image.
+    Overlay(Overlay),
     /// Take the last edit back.
     Undo,
     /// Take the last undo back.
@@ -110,6 +114,12 @@ pub(crate) enum Command {
     Film(String),
     /// Stop what the timeline shows the progress of.
     Stop,
+    /// Open a page of measurements.
+    Measure(Page),
+    /// Go back from the measurements to the lab.
+    LeaveMeasure,
+    /// Measure what the page shows, or all that it could show.
+    StartMeasuring(Scope),
     /// Put the picture on the clipboard.
     CopyPicture,
     /// Put the values on the clipboard.
@@ -136,6 +146,42 @@ impl Command {
     /// Whether it takes the document away.
     pub(crate) fn replaces(&self) -> bool {
         matches!(self, Self::Open(_) | Self::Preset(_) | Self::BringBack | Self::Quit)
+    }
+}
+
+impl Command {
+    /// Whether it is about the lab that is seen: its steps, its drawing, its input.
+    pub(crate) fn is_of_lab(&self) -> bool {
+        matches!(
+            self,
+            Self::Seek(_)
+                | Self::Next
+                | Self::Back
+                | Self::Begin
+                | Self::End
+                | Self::Play
+                | Self::MovePixel(_)
+                | Self::Fit
+                | Self::AskFilm
+                | Self::AskCompare
+                | Self::Undo
+                | Self::Redo
+        )
+    }
+
+    /// Whether it shows a lab.
+    pub(crate) fn shows_lab(&self) -> bool {
+        matches!(
+            self,
+            Self::Stage(_)
+                | Self::Lab(_)
+                | Self::Beside(_)
+                | Self::Preset(_)
+                | Self::Open(_)
+                | Self::BringBack
+                | Self::Compare(_)
+                | Self::LeaveMeasure
+        )
     }
 }
 

@@ -102,7 +102,9 @@ impl App {
 
     /// Stops what the timeline shows the progress of.
     pub(crate) fn stop(&mut self) {
-        if self.opening.take().is_none()
+        if self.measure.open {
+            self.measure.stop();
+        } else if self.opening.take().is_none()
             && let Some(film) = &self.film
         {
             film.task.stop();

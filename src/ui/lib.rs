@@ -4,7 +4,7 @@
 //! shell owns cursor, transport, listing, inspector, canvas and keys; a lab says what can be dragged
 //! and chosen. The canvas paints the same [`Figure`](rasterscope_figure::figure::Figure) that is
 //! exported. There is no file here, no clock, no thread and no blocking call: [`Platform`] has the
-//! files, and time comes with egui's input.
+//! files and the clock to measure with; other time comes with egui's input.
 #![forbid(unsafe_code)]
 
 mod aids;
@@ -19,6 +19,7 @@ mod film;
 mod keeping;
 mod labs;
 mod link;
+mod measure;
 mod opening;
 mod overview;
 mod paint;
@@ -35,7 +36,7 @@ mod theme;
 mod widgets;
 
 pub use app::App;
-pub use platform::{Platform, Purpose, Reader};
+pub use platform::{Clock, Platform, Purpose, Reader};
 
 #[cfg(test)]
 mod tests;

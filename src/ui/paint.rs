@@ -90,6 +90,12 @@ pub(crate) fn marker(painter: &Painter, at: Pos2, role: Role, size: f32, look: &
     shapes.iter().for_each(|shape| to.paint(shape));
 }
 
+/// Paints shapes without pictures, their origin at `at`.
+pub(crate) fn shapes(painter: &Painter, at: Pos2, shapes: &[Shape]) {
+    let mut to = Shapes { painter, origin: at.to_vec2() };
+    shapes.iter().for_each(|shape| to.paint(shape));
+}
+
 struct Shapes<'a> {
     painter: &'a Painter,
     origin: Vec2,

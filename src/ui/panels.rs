@@ -5,6 +5,7 @@ use crate::{
     document::Tab,
     face::{Command, Face},
     labs::Open,
+    measure,
     shell::{
         self, Frame, NARROW,
         canvas::{Drawing, Maker},
@@ -50,15 +51,18 @@ impl App {
             aids: self.view.aids,
             can_undo: self.history.can_undo(),
             can_redo: self.history.can_redo(),
-            folded: narrow || self.split(),
+            folded: (narrow || self.split()) && !self.measure.open,
             compare: self.sides(),
             settings: match &self.view.palette {
                 Some(_) => compare::settings(&self.document.scene),
                 None => Vec::new(),
             },
-            title: self.words.word(name),
-            subtitle: self.subtitle(),
-            modified: self.modified(),
+            title: self.words.word(self.measure.page().map_or(name, |_| "measure-title")),
+            subtitle: self
+                .measure
+                .page()
+                .map_or_else(|| self.subtitle(), |page| self.words.word(page.word())),
+            modified: self.modified() && !self.measure.open,
             about: self.words.word(&format!("{name}-about")),
             lab: name,
             preset: self
@@ -78,6 +82,15 @@ impl App {
             .show_separator_line(false)
             .frame(plain(look.panel, Margin::symmetric(14, 0)))
             .show(ui, |ui| menu::show(ui, &face, &frame));
+        if self.measure.open {
+            self.notice_panel(ui, &face);
+            let now = ui.ctx().input(|input| input.time);
+            measure::show(ui, &face, &mut self.measure, &mut self.textures, now);
+            self.over(ui, &face, &frame);
+            self.presets = presets;
+            self.links = links;
+            return;
+        }
         let shape = match (narrow, name) {
             (true, _) => Shape::Path,
             (_, "pipeline") if frame.compare.is_none() => Shape::Tall,
@@ -90,13 +103,7 @@ impl App {
             .resizable(false)
             .frame(plain(look.panel, Margin::ZERO))
             .show(ui, |ui| ribbon::show(ui, &face, &mut self.textures, shape, &chips, stage));
-        if let Some(notice) = &mut self.notice {
-            Panel::top("notice")
-                .exact_size(notice::height(&face))
-                .resizable(false)
-                .frame(plain(look.panel, Margin::ZERO))
-                .show(ui, |ui| notice::show(ui, &face, notice));
-        }
+        self.notice_panel(ui, &face);
         let busy = self.busy(ui.ctx());
         Panel::bottom("timeline")
             .exact_size(if look.projector() { 76.0 } else { 64.0 })
@@ -171,14 +178,29 @@ impl App {
                 self.drawer(ui, &face, &frame, lab, rect);
             }
         });
-        if self.view.keys {
-            keys::overlay(ui, &face);
-        }
-        if let Some(palette) = &mut self.view.palette {
-            palette::show(ui, &face, &frame, palette);
-        }
+        self.over(ui, &face, &frame);
         self.presets = presets;
         self.links = links;
+    }
+
+    /// The bar under the ribbon.
+    fn notice_panel(&mut self, ui: &mut Ui, face: &Face<'_>) {
+        let Some(notice) = &mut self.notice else { return };
+        Panel::top("notice")
+            .exact_size(notice::height(face))
+            .resizable(false)
+            .frame(egui::Frame::NONE.fill(face.look.panel))
+            .show(ui, |ui| notice::show(ui, face, notice));
+    }
+
+    /// What lies over everything: keys and palette.
+    fn over(&mut self, ui: &Ui, face: &Face<'_>, frame: &Frame<'_>) {
+        if self.view.keys {
+            keys::overlay(ui, face);
+        }
+        if let Some(palette) = &mut self.view.palette {
+            palette::show(ui, face, frame, palette);
+        }
     }
 
     /// The chips, with what the open lab does in its own.

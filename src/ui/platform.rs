@@ -1,12 +1,16 @@
 //! What the window needs from the machine it runs on.
 //!
 //! The ui crate itself never touches a file: the app implements this for the desktop, the window
-//! tests with a map of names to bytes. Time comes with egui's input, so no clock is needed.
+//! tests with a map of names to bytes. Time comes with egui's input, but for measuring.
 
+use rasterscope_measure::Machine;
 use std::io;
 
 /// The bytes of a file, by its path.
 pub type Reader = Box<dyn FnMut(&str) -> io::Result<Vec<u8>> + Send>;
+
+/// Seconds since any moment, to measure with.
+pub type Clock = Box<dyn Fn() -> f64 + Send>;
 
 /// Files, as far as the window reads and writes them.
 pub trait Platform {
@@ -32,6 +36,12 @@ pub trait Platform {
     /// Does work beside the window, and has a frame painted when it is done. Where nothing can be
     /// beside the window, it is done before this returns.
     fn spawn(&mut self, work: Box<dyn FnOnce() + Send>);
+
+    /// Gives a clock, also to work beside the window.
+    fn clock(&mut self) -> Clock;
+
+    /// What the numbers of measurements are of.
+    fn machine(&mut self) -> Machine;
 }
 
 /// What a file is chosen for.

@@ -171,7 +171,7 @@ impl Run {
         let pixel = pixel?;
         let PixelReport { sentence, warning, .. } = self.pixel(side, pixel)?;
         let lines = [Some(sentence), warning].into_iter().flatten().map(|line| words.message(&line));
-        Some(Hover { pixel, text: lines.collect::<Vec<_>>().join(" ") })
+        Some(Hover { pixel, text: lines.collect::<Vec<_>>().join(" "), triangle: None })
     }
 
     /// How often an algorithm ran: tests assert on it.

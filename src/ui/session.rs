@@ -10,6 +10,7 @@ use rasterscope_core::{
     explain::Level,
     labs::LabInput,
     message::Message,
+    pipeline::Overlay,
     scene::{Lab, Scene},
 };
 use rasterscope_figure::theme::ThemeName;
@@ -78,6 +79,7 @@ pub(crate) struct Settings {
     speed: f32,
     snap: usize,
     outlines: bool,
+    overlay: String,
     /// Names of the labs that were open, oldest first.
     recent: Vec<String>,
     aids: Aids,
@@ -99,6 +101,7 @@ impl Settings {
             speed: view.speed,
             snap: Snap::ALL.iter().position(|snap| *snap == view.snap).unwrap_or(0),
             outlines: view.outlines,
+            overlay: view.overlay.name().to_owned(),
             recent: view.recent.names().iter().map(|name| (*name).to_owned()).collect(),
             aids: view.aids,
         }
@@ -113,6 +116,7 @@ impl Settings {
             view.speed = self.speed;
         }
         view.outlines = self.outlines;
+        view.overlay = Overlay::from_name(&self.overlay).unwrap_or(view.overlay);
         view.aids = self.aids;
         view.recent = Recent::of(self.recent.iter().map(String::as_str));
     }
@@ -158,6 +162,7 @@ mod tests {
             text_size: 1e9,
             theme: "pink".into(),
             outlines: true,
+            overlay: "no such overlay".into(),
             recent: vec!["no such lab".into()],
             aids: Aids::default(),
         };

@@ -76,9 +76,9 @@ tour-picture-clip = The scene from outside: what was cut off wears the colour of
 tour-picture-divide = Normalised device coordinates from the front.
 tour-picture-viewport = The triangles in pixels.
 tour-picture-scan-conversion = The pixels whose centre is covered, in the colour of the last triangle.
-tour-picture-fragments = How many fragments each pixel got: darker is more.
+tour-picture-fragments = How many fragments each pixel got.
 tour-picture-stencil = The stencil value of each pixel.
-tour-picture-depth = The stored depth of each pixel: darker is nearer.
+tour-picture-depth = The stored depth of each pixel.
 tour-picture-blend = The colours after blending.
 tour-picture-image = The image.
 

@@ -1,36 +1,57 @@
 //! The claims of the lectures, as sentences with numbers.
 
+use rasterscope_figure::plot;
 use rasterscope_measure::{
-    Stopwatch,
     claims::{CLAIMS, Finding, Number, Series},
+    pictures, tables,
 };
 use std::io::{self, Write};
 
-use super::{BenchOptions, json, short, tell};
-use crate::{progress::Progress, words};
+use super::{
+    Bench, json,
+    output::{File, file},
+    short,
+};
+use crate::words::{self, WORDS};
 
-pub(super) fn write(
-    options: &BenchOptions,
-    stopwatch: &Stopwatch<'_>,
-    output: &mut dyn Write,
-    progress: &mut Progress<'_>,
-) -> io::Result<()> {
+/// Width and height of a diagram, in points.
+const SIZE: [f32; 2] = [960.0, 600.0];
+
+pub(super) fn write(bench: &mut Bench<'_, '_>) -> io::Result<Vec<File>> {
+    let options = bench.options;
+    let (mut files, mut all) = (Vec::new(), Vec::new());
     for (done, claim) in CLAIMS.iter().enumerate() {
         let sentence = words::of(&format!("bench-claim-{}", claim.name));
-        tell(progress, done, CLAIMS.len(), &sentence);
-        let Some(Finding { series, verdict }) = claim.examine(stopwatch) else { return Ok(()) };
-        progress.clear();
+        bench.tell(done, CLAIMS.len(), &sentence);
+        let Some(finding) = claim.examine(&bench.stopwatch) else { continue };
+        bench.progress.clear();
+        let Finding { series, verdict } = &finding;
         if options.json {
-            json(&serde_json::json!({ "claim": claim.name, "series": series, "verdict": verdict }), output)?;
+            let line = serde_json::json!({ "claim": claim.name, "series": series, "verdict": verdict });
+            json(&line, bench.output)?;
         } else {
-            writeln!(output, "\n{sentence}")?;
-            series.iter().try_for_each(|series| write_series(series, output))?;
+            writeln!(bench.output, "\n{sentence}")?;
+            series.iter().try_for_each(|series| write_series(series, bench.output))?;
             let here = words::of(&format!("bench-claim-{}-here", claim.name));
-            writeln!(output, "  {} {here}", words::of(&format!("bench-verdict-{}", verdict.name())))?;
+            let verdict = words::of(&format!("bench-verdict-{}", verdict.name()));
+            writeln!(bench.output, "  {verdict} {here}")?;
         }
-        output.flush()?;
+        bench.output.flush()?;
+        if let Some(folder) = &options.output {
+            let path = folder.join(format!("{}.svg", claim.name));
+            let picture = || {
+                let chart = pictures::claim(claim, &finding, &bench.machine, options.rounds, &WORDS);
+                plot::draw(&chart.plot, SIZE, options.theme.theme(), None).figure
+            };
+            files.push(file(&path, bench, picture, &()));
+            all.extend(tables::claim_rows(claim, &finding));
+        }
     }
-    Ok(())
+    if let Some(folder) = &options.output {
+        let no_picture = || plot::panels(&[], 1, SIZE, options.theme.theme()).figure;
+        files.push(file(&folder.join("claims.csv"), bench, no_picture, &all));
+    }
+    Ok(files)
 }
 
 /// Its name, then each number below what was varied.

@@ -1,38 +1,55 @@
 //! The table: a row for each algorithm in each arithmetic, operation by operation, family by family.
 
 use rasterscope_core::stress::Family;
+use rasterscope_figure::plot::{self, Plot};
 use rasterscope_measure::{
-    Stopwatch,
+    pictures::{self, Filter},
     race::{Row, STAGES, Stage},
 };
 use std::io::{self, Write};
 
-use super::{BenchOptions, json, short, tell};
-use crate::{progress::Progress, words};
+use super::{
+    Bench, json,
+    output::{File, file},
+    short,
+};
+use crate::words::{self, WORDS};
 
-pub(super) fn write(
-    options: &BenchOptions,
-    stopwatch: &Stopwatch<'_>,
-    output: &mut dyn Write,
-    progress: &mut Progress<'_>,
-) -> io::Result<()> {
-    let all = STAGES.iter().map(|stage| stage.families.len()).sum();
-    let mut done = 0;
-    for stage in &STAGES {
-        for &family in stage.families {
-            tell(progress, done, all, &words::of(&format!("bench-stage-{}", stage.name)));
-            let rows = stage.measure(family, stopwatch).unwrap_or_default();
-            progress.clear();
-            if options.json {
-                rows.iter().try_for_each(|row| json(row, output))?;
-            } else {
-                write_rows(stage, family, &rows, output)?;
-            }
-            output.flush()?;
-            done += 1;
+/// Width and height of one diagram, in points.
+const ONE: [f32; 2] = [1_000.0, 680.0];
+
+pub(super) fn write(bench: &mut Bench<'_, '_>) -> io::Result<Vec<File>> {
+    let options = bench.options;
+    let wanted = |stage: &&Stage| options.operation.is_none_or(|operation| operation.name == stage.name);
+    let stages: Vec<&'static Stage> = STAGES.iter().filter(wanted).collect();
+    let heats = stages.iter().flat_map(|stage| stage.families.iter().map(move |family| (*stage, *family)));
+    let heats: Vec<_> =
+        heats.filter(|(_, family)| options.family.is_none_or(|only| only == *family)).collect();
+    let mut all = Vec::new();
+    for (done, (stage, family)) in heats.iter().enumerate() {
+        bench.tell(done, heats.len(), &words::of(&format!("bench-stage-{}", stage.name)));
+        let rows = stage.measure(*family, &bench.stopwatch).unwrap_or_default();
+        bench.progress.clear();
+        if options.json {
+            rows.iter().try_for_each(|row| json(row, bench.output))?;
+        } else {
+            write_rows(stage, *family, &rows, bench.output)?;
         }
+        bench.output.flush()?;
+        all.extend(rows);
     }
-    Ok(())
+    let Some(path) = &options.output else { return Ok(Vec::new()) };
+    let picture = || {
+        let plot = |stage: &&'static Stage| -> Plot {
+            let filter = Filter { stage, family: options.family, error: options.error };
+            pictures::errors(&all, &filter, &bench.machine, options.rounds, &WORDS).plot
+        };
+        let plots: Vec<Plot> = stages.iter().map(plot).collect();
+        let columns = plots.len().clamp(1, 2);
+        let size = [ONE[0] * columns as f32, ONE[1] * plots.len().div_ceil(columns) as f32];
+        plot::panels(&plots, columns, size, options.theme.theme()).figure
+    };
+    Ok(vec![file(path, bench, picture, &all)])
 }
 
 const COLUMNS: [&str; 6] = ["ns", "quartiles", "wrong", "mean", "max", "exact"];

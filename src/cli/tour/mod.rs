@@ -13,13 +13,13 @@ mod stages;
 mod steps;
 mod subject;
 
-pub(crate) use paint::image;
+pub(crate) use paint::opaque;
 pub(crate) use pixels::view as image_view;
 
 use rasterscope_core::{
     labs::Stage,
     message::{Message, Value},
-    pipeline::{Pipeline, Skips, Unit},
+    pipeline::{Pipeline, PixelCounts, Skips, Unit},
     scene::Scene,
 };
 use rasterscope_figure::{numbers as written, theme::ThemeName};
@@ -76,7 +76,8 @@ fn page_of(scene: &Scene, title: String, progress: Option<&mut dyn Write>) -> St
     let mut progress = Progress(progress);
     let mut pipeline = Pipeline::default();
     let outputs = pipeline.update(scene, &Skips::ALL);
-    let subject = Subject { scene, outputs, theme: ThemeName::Light.theme() };
+    let counts = PixelCounts::of(scene, outputs);
+    let subject = Subject { scene, outputs, counts: &counts, theme: ThemeName::Light.theme() };
     let mut body = header(&subject, &title);
     body += &ribbon(&subject);
     // Where nothing is drawn, the run of the lab is what the scene is about.

@@ -187,7 +187,7 @@ fn histogram(title: &'static str, values: impl Iterator<Item = String>) -> (Vec<
 }
 
 fn fragments(subject: &Subject<'_>) -> (Vec<Table>, Option<Message>) {
-    histogram("tour-table-fragments", subject.coverage().counts.iter().map(std::string::ToString::to_string))
+    histogram("tour-table-fragments", subject.counts.generated.iter().map(std::string::ToString::to_string))
 }
 
 fn depth(subject: &Subject<'_>) -> (Vec<Table>, Option<Message>) {

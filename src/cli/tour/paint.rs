@@ -45,8 +45,12 @@ impl Paint {
 
 /// An image as a mark, opaque.
 pub(crate) fn image(frame: &Frame) -> Mark {
-    let rgba = frame.color.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255]);
-    Mark::Image { size: frame.size.map(|side| side as usize), rgba: Arc::new(rgba.collect()) }
+    Mark::Image { size: frame.size.map(|side| side as usize), rgba: opaque(frame) }
+}
+
+/// The colours of an image, opaque.
+pub(crate) fn opaque(frame: &Frame) -> Arc<Vec<u8>> {
+    Arc::new(frame.color.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255]).collect())
 }
 
 /// The camera that sees what an [`Orbit`] sees.

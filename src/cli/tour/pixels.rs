@@ -5,10 +5,10 @@ use rasterscope_core::{
     explain::{Grid, Mark, Role, View},
     labs::Stage,
     message::Value,
-    pipeline::{DrawOutputs, ScreenTriangle},
+    pipeline::{DrawOutputs, Layer, Overlay, ScreenTriangle},
     raster::YAxis,
 };
-use rasterscope_figure::theme::Color;
+use rasterscope_figure::overlay;
 use std::sync::Arc;
 
 use super::{paint::image, picture::Drawing, subject::Subject};
@@ -41,9 +41,10 @@ fn outlines(subject: &Subject<'_>, filled: bool) -> Vec<Mark> {
     triangles.iter().map(outline).collect()
 }
 
-/// One colour for each pixel.
-fn flat_image(subject: &Subject<'_>, color: impl Fn(usize) -> Color) -> Mark {
+/// The pixels that have a fragment, each in the colour of the last one's draw.
+fn covered(subject: &Subject<'_>) -> Mark {
     let size = subject.scene.size.map(|side| side as usize);
+    let color = |i: usize| subject.last_draw(i).map_or(subject.theme.canvas, |draw| subject.color(draw));
     let rgba = (0..size[0] * size[1]).flat_map(|i| color(i).0);
     Mark::Image { size, rgba: Arc::new(rgba.collect()) }
 }
@@ -62,12 +63,7 @@ fn cells(subject: &Subject<'_>, cell: impl Fn(usize) -> Option<(Role, Option<usi
 pub(super) fn viewport(subject: &Subject<'_>) -> Drawing {
     let mut marks = outlines(subject, true);
     if marks.is_empty() {
-        let coverage = subject.coverage();
-        let empty = subject.theme.canvas;
-        marks.push(flat_image(subject, |i| match coverage.counts[i] {
-            0 => empty,
-            _ => subject.color(coverage.last[i] as usize),
-        }));
+        marks.push(covered(subject));
     } else if subject.is_named() {
         let screen = subject.outputs.draws.iter().flat_map(DrawOutputs::screen);
         marks.extend(screen.map(|&[x, y, ..]| Mark::Point { at: [x, y], role: Role::Neutral, label: None }));
@@ -77,81 +73,36 @@ pub(super) fn viewport(subject: &Subject<'_>) -> Drawing {
 
 /// Which pixels have a fragment.
 pub(super) fn scan_conversion(subject: &Subject<'_>) -> Drawing {
-    let coverage = subject.coverage();
     let mut marks = if subject.is_small() {
-        cells(subject, |i| {
-            let drawn = coverage.counts[i] > 0;
-            drawn.then(|| (Role::Accepted, Some(coverage.last[i] as usize), Value::None))
-        })
+        cells(subject, |i| Some((Role::Accepted, Some(subject.last_draw(i)?), Value::None)))
     } else {
-        let empty = subject.theme.canvas;
-        vec![flat_image(subject, |i| match coverage.counts[i] {
-            0 => empty,
-            _ => subject.color(coverage.last[i] as usize),
-        })]
+        vec![covered(subject)]
     };
     marks.extend(outlines(subject, false));
     drawing(subject, marks, "tour-picture-scan-conversion")
 }
 
-/// How many fragments each pixel got.
-pub(super) fn fragments(subject: &Subject<'_>) -> Drawing {
-    let counts = subject.coverage().counts;
-    let most = counts.iter().copied().max().unwrap_or(0).max(1);
-    let marks = if subject.is_small() {
-        let value = |i: usize| (Role::Neutral, None, Value::from(counts[i]));
-        let mut marks = vec![flat_image(subject, |i| shade(subject, counts[i] as f32 / most as f32))];
-        marks.extend(cells(subject, |i| (counts[i] > 0).then(|| value(i))));
-        marks
-    } else {
-        vec![flat_image(subject, |i| shade(subject, counts[i] as f32 / most as f32))]
-    };
-    drawing(subject, marks, "tour-picture-fragments")
+/// What an overlay lays on the image.
+fn laid(subject: &Subject<'_>, of: Overlay, caption: &'static str) -> Drawing {
+    let Subject { scene, outputs, counts, theme } = *subject;
+    let layer = Layer::of(of, scene, outputs, Some(counts), None);
+    let size = scene.size.map(|side| side as usize);
+    drawing(subject, overlay::marks(&layer, size, &Arc::default(), theme), caption)
 }
 
-/// From the canvas (0) towards the text's colour (1).
-fn shade(subject: &Subject<'_>, share: f32) -> Color {
-    subject.theme.text.alpha(share.clamp(0.0, 1.0) * 0.75).over(subject.theme.canvas)
+/// How many fragments each pixel got.
+pub(super) fn fragments(subject: &Subject<'_>) -> Drawing {
+    laid(subject, Overlay::Generated, "tour-picture-fragments")
 }
 
 /// The stencil values.
 pub(super) fn stencil(subject: &Subject<'_>) -> Drawing {
-    let stencil = &subject.outputs.frame.stencil;
-    let clear = subject.scene.clear.stencil;
-    let most = stencil.iter().copied().max().unwrap_or(0).max(1);
-    let mut marks =
-        vec![flat_image(subject, |i| shade(subject, f32::from(stencil[i]) / f32::from(most) * 0.5))];
-    if subject.is_small() {
-        marks.extend(cells(subject, |i| {
-            let role = if stencil[i] == clear { Role::Candidate } else { Role::Neutral };
-            Some((role, None, Value::from(u32::from(stencil[i]))))
-        }));
-    }
-    drawing(subject, marks, "tour-picture-stencil")
+    laid(subject, Overlay::Stencil, "tour-picture-stencil")
 }
 
-/// The stored depths: near is dark.
+/// The stored depths.
 pub(super) fn depth(subject: &Subject<'_>) -> Drawing {
-    let frame = &subject.outputs.frame;
-    let clear = stored_clear(subject);
-    let drawn = || frame.depth.iter().copied().filter(|z| *z != clear);
-    let [low, high] = [drawn().fold(1.0, f32::min), drawn().fold(0.0, f32::max)];
-    let near = |z: f32| {
-        let share = if high > low { (high - z) / (high - low) } else { 0.5 };
-        let share = if subject.scene.reversed { 1.0 - share } else { share };
-        0.12 + 0.88 * share
-    };
-    let color = |i: usize| match frame.depth[i] {
-        z if z == clear => subject.theme.canvas,
-        z => shade(subject, near(z)),
-    };
-    let mut marks = vec![flat_image(subject, color)];
-    if subject.is_small() {
-        marks.extend(cells(subject, |i| {
-            (frame.depth[i] != clear).then(|| (Role::Neutral, None, Value::from(frame.depth[i])))
-        }));
-    }
-    drawing(subject, marks, "tour-picture-depth")
+    laid(subject, Overlay::Depth, "tour-picture-depth")
 }
 
 /// The depth of a pixel that nothing was drawn to, as it is stored.
@@ -167,15 +118,9 @@ pub(super) fn stored_clear(subject: &Subject<'_>) -> f32 {
 pub(super) fn blend(subject: &Subject<'_>) -> Drawing {
     let mut marks = vec![image(&subject.outputs.frame)];
     if subject.is_small() && subject.outputs.frame.stats.stage(Stage::Blend).on {
-        let blended =
-            |draw: u32| subject.scene.draws.get(draw as usize).is_some_and(|draw| draw.blend.is_some());
-        let coverage = subject.coverage();
+        let blended = |draw: usize| subject.scene.draws.get(draw).is_some_and(|draw| draw.blend.is_some());
         marks.extend(cells(subject, |i| {
-            (coverage.counts[i] > 0 && blended(coverage.last[i])).then_some((
-                Role::Changed,
-                None,
-                Value::None,
-            ))
+            subject.last_draw(i).is_some_and(blended).then_some((Role::Changed, None, Value::None))
         }));
     }
     drawing(subject, marks, "tour-picture-blend")

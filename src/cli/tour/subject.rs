@@ -2,7 +2,7 @@
 
 use rasterscope_core::{
     math::Tally,
-    pipeline::{DrawOutputs, Fate, Outputs, ScreenTriangle, draw_name, triangle_name},
+    pipeline::{DrawOutputs, Fate, Outputs, PixelCounts, ScreenTriangle, draw_name, triangle_name},
     raster::{self, Settings, Span},
     scene::Scene,
     transform::{Projection, matrices::row},
@@ -20,6 +20,7 @@ const SMALL: [u32; 2] = [48, 36];
 pub(super) struct Subject<'a> {
     pub(super) scene: &'a Scene,
     pub(super) outputs: &'a Outputs,
+    pub(super) counts: &'a PixelCounts,
     pub(super) theme: &'a Theme,
 }
 
@@ -122,28 +123,8 @@ impl<'a> Subject<'a> {
         raster::rows(raster::Algorithm::Scanline, vertices, &settings, &mut Tally::default())
     }
 
-    /// How many fragments each pixel got, and the draw of the last one.
-    pub(super) fn coverage(&self) -> Coverage {
-        let pixels = self.scene.size[0] as usize * self.scene.size[1] as usize;
-        let mut coverage = Coverage { counts: vec![0; pixels], last: vec![0; pixels] };
-        for triangle in self.outputs.triangles() {
-            for Span { y, begin, end } in self.spans(&triangle) {
-                let row = y as usize * self.scene.size[0] as usize;
-                for i in row + begin as usize..row + end as usize {
-                    coverage.counts[i] += 1;
-                    coverage.last[i] = triangle.draw;
-                }
-            }
-        }
-        coverage
+    /// The draw of the last fragment that a pixel got, counted row by row.
+    pub(super) fn last_draw(&self, pixel: usize) -> Option<usize> {
+        self.counts.last_generated(pixel).map(|triangle| triangle.draw as usize)
     }
-}
-
-/// What scan conversion made of all triangles, pixel by pixel.
-#[derive(Debug)]
-pub(super) struct Coverage {
-    /// Fragments of each pixel.
-    pub(super) counts: Vec<u32>,
-    /// The draw of the last one.
-    pub(super) last: Vec<u32>,
 }

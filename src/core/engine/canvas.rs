@@ -1,5 +1,7 @@
 //! What is drawn to: colours, depths and stencil values, and which tiles still hold what they were cleared to.
 
+use std::ops::Range;
+
 /// Pixels a side of a tile: colours and depths of one fit the first-level cache together.
 pub(super) const TILE: usize = 64;
 
@@ -110,12 +112,60 @@ impl Canvas {
         &self.stencil
     }
 
+    /// The rows of tiles, from row 0.
+    pub(super) fn strips(&mut self) -> Vec<Strip<'_>> {
+        let [width, height] = self.size;
+        let columns = tiles(self.size)[0];
+        let pixels = width as usize * TILE;
+        let mut stencils = self.stencil.chunks_mut(pixels);
+        let buffers = self.color.chunks_mut(4 * pixels).zip(self.depth.chunks_mut(pixels));
+        let tiles = self.clean.chunks_mut(columns).zip(self.painted.chunks_mut(columns));
+        let strips = (0..height).step_by(TILE).zip(buffers).zip(tiles);
+        strips
+            .map(|((top, (color, depth)), (clean, painted))| {
+                let stencil = stencils.next().unwrap_or_default();
+                let rows = (height - top).min(TILE as u32);
+                Strip { width, top, rows, color, depth, stencil, clean, painted }
+            })
+            .collect()
+    }
+
     /// Forgets which tiles are clean, if they would be cleared to something else now.
     pub(super) fn expect(&mut self, clear: &Clear) {
         if !self.cleared.same(clear) {
             self.clean.fill(false);
             self.cleared = *clear;
         }
+    }
+}
+
+/// A row of tiles of a canvas.
+pub(super) struct Strip<'c> {
+    pub(super) width: u32,
+    /// Its first row of pixels, and how many it has.
+    pub(super) top: u32,
+    pub(super) rows: u32,
+    pub(super) color: &'c mut [u8],
+    pub(super) depth: &'c mut [f32],
+    pub(super) stencil: &'c mut [u8],
+    pub(super) clean: &'c mut [bool],
+    pub(super) painted: &'c mut [[u64; TILE]],
+}
+
+impl Strip<'_> {
+    /// How many pixels a tile has that begins at a column.
+    pub(super) fn pixels(&self, left: u32) -> u64 {
+        u64::from((self.width - left).min(TILE as u32)) * u64::from(self.rows)
+    }
+
+    /// The rows of such a tile: where they lie in the buffers, and where in the tile.
+    pub(super) fn rows(&self, left: u32) -> impl Iterator<Item = (Range<usize>, usize)> + use<> {
+        let (width, left) = (self.width as usize, left as usize);
+        let columns = TILE.min(width - left);
+        (0..self.rows as usize).map(move |row| {
+            let at = row * width + left;
+            (at..at + columns, row * TILE)
+        })
     }
 }
 

@@ -14,7 +14,7 @@ use super::{
     setup::Setup,
     small::SmallRows,
     state::Rules,
-    test::{Any, Codes, Nearer, Test},
+    test::{Any, Codes, Masked, Nearer, Test},
     tile::{BLOCK, Tile},
 };
 use std::ops::Range;
@@ -57,12 +57,13 @@ impl Tile {
     /// Draws triangles in order.
     pub(super) fn draw(&mut self, ink: &mut impl Ink, job: Job<'_>, entries: &[Entry], stats: &mut Stats) {
         let state = job.state;
-        if state.lowers_depths() {
-            self.draw_in_lanes(Nearer, ink, job, entries, stats);
-        } else if let Some(codes) = Codes::new(state.depth, state.store) {
-            self.draw_in_lanes(codes, ink, job, entries, stats);
-        } else {
-            self.draw_in_lanes(Any::new(state.depth), ink, job, entries, stats);
+        let any = Any::new(state.depth);
+        match (Codes::new(state.depth, state.store), state.stencil) {
+            _ if state.lowers_depths() => self.draw_in_lanes(Nearer, ink, job, entries, stats),
+            (None, None) => self.draw_in_lanes(any, ink, job, entries, stats),
+            (None, Some(_)) => self.draw_in_lanes(Masked(any), ink, job, entries, stats),
+            (Some(codes), None) => self.draw_in_lanes(codes, ink, job, entries, stats),
+            (Some(codes), Some(_)) => self.draw_in_lanes(Masked(codes), ink, job, entries, stats),
         }
     }
 
@@ -209,7 +210,7 @@ impl Tile {
             let columns = rows.begin[row] as i32 - piece.x as i32..rows.end[row] as i32 - piece.x as i32;
             let ends = [pen.down[0][row], pen.down[1][row]];
             let pixels = Pixels { at: [piece.x, piece.top + row], columns, ends, across: &across };
-            self.row_of_pixels((test, ink), &pixels, (pen.job, pen.entry), stats);
+            self.row_of_pixels((test, &mut *ink), &pixels, (pen.job, pen.entry), stats);
         }
     }
 }

@@ -37,6 +37,7 @@ mod small;
 mod state;
 mod stats;
 mod test;
+mod threads;
 mod tile;
 mod way;
 
@@ -45,12 +46,12 @@ pub use lanes::Lanes;
 pub use paint::{PaintOrder, Painter};
 pub use state::{DepthStore, State};
 pub use stats::Stats;
+pub use threads::Threads;
 
 use crate::pipeline::Skip;
 use bins::{Bins, NOWHERE};
-use canvas::TILE;
+use canvas::{Strip, TILE};
 use fill::Job;
-use paint::Brushes;
 use state::Rules;
 use tile::Tile;
 use way::{Painted, Plain, Way};
@@ -124,7 +125,8 @@ impl Triangles<'_> {
 #[derive(Debug, Default)]
 pub struct Engine {
     bins: Bins,
-    tile: Tile,
+    /// One for each thread that was needed so far.
+    tiles: Vec<Tile>,
 }
 
 impl Engine {
@@ -136,7 +138,7 @@ impl Engine {
         triangles: &Triangles<'_>,
         state: &State,
     ) -> Stats {
-        self.frame(canvas, clear, triangles, state, &mut Plain)
+        self.frame(canvas, clear, triangles, state, &Plain)
     }
 
     /// Draws triangles whose colours a painter gives; theirs do not matter. Fragments are counted.
@@ -148,61 +150,85 @@ impl Engine {
         state: &State,
         painter: &P,
     ) -> Stats {
-        self.frame(canvas, clear, triangles, state, &mut Painted(Brushes::new(painter)))
+        self.frame(canvas, clear, triangles, state, &Painted(painter))
     }
 
-    fn frame(
+    fn frame<W: Way>(
         &mut self,
         canvas: &mut Canvas,
         clear: Option<Clear>,
         triangles: &Triangles<'_>,
         state: &State,
-        way: &mut impl Way,
+        way: &W,
     ) -> Stats {
         let mut stats = Stats { triangles: triangles.len() as u64, ..Stats::default() };
         let size = canvas.size;
-        let rules = Rules::new(state, size, way.counts());
-        let bins = &mut self.bins;
+        let rules = Rules::new(state, size, W::COUNTS);
+        let Self { bins, tiles } = self;
         bins.reset(size);
         state.lanes.run(
             #[inline(always)]
-            || bins.fill(triangles, size, way.counts(), &mut stats),
+            || bins.fill(triangles, size, W::COUNTS, &mut stats),
         );
         if let Some(clear) = &clear {
             canvas.expect(clear);
         }
-        let [columns, _] = canvas::tiles(size);
+        let frame = FrameJob { bins, clear, state, rules: &rules };
+        let strips = canvas.strips();
+        let threads = state.threads.worth(strips.len(), triangles.len());
+        if tiles.len() < threads {
+            tiles.resize_with(threads, Tile::default);
+        }
+        stats += threads::share(strips, &mut tiles[..threads], |strips, tile| {
+            let (mut kit, mut stats) = (way.kit(), Stats::default());
+            strips.for_each(|mut strip| frame.strip::<W>(&mut strip, tile, &mut kit, &mut stats));
+            stats
+        });
+        stats
+    }
+}
+
+/// What all tiles of a frame share.
+struct FrameJob<'f> {
+    bins: &'f Bins,
+    clear: Option<Clear>,
+    state: &'f State,
+    rules: &'f Rules,
+}
+
+impl FrameJob<'_> {
+    /// Draws a row of tiles.
+    fn strip<W: Way>(&self, strip: &mut Strip<'_>, tile: &mut Tile, kit: &mut W::Kit<'_>, stats: &mut Stats) {
+        let Self { bins, clear, state, rules } = *self;
         let keep = state.skips.has(Skip::Clear);
-        for index in 0..canvas.clean.len() {
-            let list = bins.list(index);
-            let origin = [index % columns, index / columns].map(|tile| (tile * TILE) as u32);
+        let columns = strip.clean.len();
+        for index in 0..columns {
+            let list = bins.list(strip.top as usize / TILE * columns + index);
+            let left = (index * TILE) as u32;
             if clear.is_some() {
-                canvas.painted[index] = [0; TILE];
+                strip.painted[index] = [0; TILE];
             }
             if list.is_empty() {
                 if let Some(clear) = &clear {
-                    if canvas.clean[index] && keep {
+                    if strip.clean[index] && keep {
                         stats.clean += 1;
-                        let sides = [0, 1].map(|axis| u64::from(size[axis] - origin[axis]).min(TILE as u64));
-                        stats.clean_pixels += sides[0] * sides[1];
+                        stats.clean_pixels += strip.pixels(left);
                     } else {
-                        self.tile.clear(clear);
-                        self.tile.store(canvas, origin);
+                        tile.clear(clear);
+                        tile.store(strip, left);
                     }
-                    canvas.clean[index] = true;
+                    strip.clean[index] = true;
                 }
                 continue;
             }
             stats.binned += list.len() as u64;
             match &clear {
-                Some(clear) => self.tile.clear(clear),
-                None => self.tile.load(canvas, origin),
+                Some(clear) => tile.clear(clear),
+                None => tile.load(strip, left),
             }
-            let job = Job { origin, state, rules: &rules };
-            way.draw(&mut self.tile, job, list, &mut stats);
-            way.store(&mut self.tile, (canvas, index), origin, clear.as_ref(), &mut stats);
-            canvas.clean[index] = false;
+            W::draw(kit, tile, Job { origin: [left, strip.top], state, rules }, list, stats);
+            W::store(kit, tile, strip, (index, left), clear.as_ref(), stats);
+            strip.clean[index] = false;
         }
-        stats
     }
 }

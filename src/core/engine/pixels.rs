@@ -1,11 +1,19 @@
 //! The pixels of one row of a triangle: stencil and depth test of all of them at once, and one by one where an interval
 //! holds two depths or a stencil is in use.
 
-use super::{Stats, bins::Entry, fill::Job, ink::Ink, lanes::mask, test::Test, tile::Tile};
+use super::{
+    Stats,
+    bins::Entry,
+    fill::Job,
+    ink::Ink,
+    lanes::mask,
+    test::Test,
+    tile::{BLOCK, Tile},
+};
 use crate::{
     depth::{DepthFormat, DepthPlane},
     math::{Arithmetic, Tally},
-    stencil::{StencilOutcome, StencilState},
+    stencil::StencilOutcome,
 };
 use std::ops::Range;
 
@@ -45,6 +53,33 @@ impl<const N: usize> Pixels<'_, N> {
     }
 }
 
+/// Most pixels that are looked at together.
+const MOST: usize = BLOCK;
+
+/// For each count, which of the pixels lie before it: looked up, since comparing takes longer.
+const BEFORE: [[u32; MOST]; MOST + 1] = {
+    let mut rows = [[0; MOST]; MOST + 1];
+    let mut count = 0;
+    while count <= MOST {
+        let mut i = 0;
+        while i < count {
+            rows[count][i] = u32::MAX;
+            i += 1;
+        }
+        count += 1;
+    }
+    rows
+};
+
+/// Which of some pixels lie before a column.
+#[inline(always)]
+fn before<const N: usize>(column: i32) -> [u32; N] {
+    let row = &BEFORE[column.clamp(0, MOST as i32) as usize];
+    let mut pixels = [0; N];
+    pixels.copy_from_slice(&row[..N]);
+    pixels
+}
+
 impl Tile {
     /// Draws pixels of a row.
     #[inline(always)]
@@ -55,11 +90,11 @@ impl Tile {
         (job, entry): (Job<'_>, &Entry),
         stats: &mut Stats,
     ) {
-        if let Some(state) = job.state.stencil {
-            self.by_stencil((test, ink), state, pixels, (job, entry), stats);
+        if T::STENCIL {
+            self.by_stencil((test, ink), pixels, (job, entry), stats);
             return;
         }
-        let Range { start: begin, end } = pixels.columns;
+        let [begun, ended]: [[u32; N]; 2] = [pixels.columns.start, pixels.columns.end].map(before);
         let [near, far] = pixels.ends;
         let (depths, colors) = self.row(pixels.at[0], pixels.at[1]);
         let (stored, painted) = (*depths, *colors);
@@ -69,7 +104,7 @@ impl Tile {
         }
         let (mut covered, mut drawn) = ([0; N], [0; N]);
         for i in 0..N {
-            covered[i] = mask(i as i32 >= begin) & mask((i as i32) < end);
+            covered[i] = ended[i] & !begun[i];
             drawn[i] = covered[i] & test.passes(low[i], stored[i]);
         }
         let mut doubt = 0;
@@ -119,11 +154,11 @@ impl Tile {
     fn by_stencil<T: Test, I: Ink, const N: usize>(
         &mut self,
         (test, ink): (T, &mut I),
-        state: StencilState,
         pixels: &Pixels<'_, N>,
         (job, entry): (Job<'_>, &Entry),
         stats: &mut Stats,
     ) {
+        let state = job.state.stencil.unwrap_or_default();
         for i in pixels.covered() {
             let [x, y] = [pixels.at[0] + i, pixels.at[1]];
             let stencil = *self.pixel(x, y).stencil;

@@ -49,6 +49,8 @@ pub(super) struct Setup {
     pub(super) dz_dy: Wide,
     /// The least and the greatest depth of the vertices.
     pub(super) range: [Wide; 2],
+    /// No pixel of these rows and columns is nearer.
+    pub(super) nearest: Wide,
     /// Which of them lie behind all pixels of the tile, if they are counted nevertheless.
     pub(super) behind: [bool; LANES],
 }
@@ -80,6 +82,7 @@ impl Setup {
             dz_dx: [0.0; LANES],
             dz_dy: [0.0; LANES],
             range: [[0.0; LANES]; 2],
+            nearest: [0.0; LANES],
             behind: [false; LANES],
         };
         let turns = setup.plane(&vertices, entries, shift, stats);
@@ -232,16 +235,15 @@ impl Setup {
     #[inline(always)]
     fn hide(&mut self, farthest: f32, rules: &Rules, stats: &mut Stats) {
         let farthest = f64::from(farthest);
-        let mut nearest = [0.0; LANES];
         for i in 0..LANES {
             let [left, right] = [f64::from(self.columns[0][i]), f64::from(self.columns[1][i]) - 1.0];
             let [top, bottom] = [f64::from(self.rows[0][i]), f64::from(self.rows[1][i]) - 1.0];
             let (dx, dy) = (self.dz_dx[i], self.dz_dy[i]);
             let near = self.depth[0][i] + least(dy * top, dy * bottom) + least(dx * left, dx * right);
-            nearest[i] = greatest(near, self.range[0][i]);
+            self.nearest[i] = greatest(near, self.range[0][i]);
         }
         for i in 0..LANES {
-            let hidden = u32::from(nearest[i] >= farthest);
+            let hidden = u32::from(self.nearest[i] >= farthest);
             let any = u32::from(self.rows[0][i] < self.rows[1][i]);
             stats.behind += u64::from(hidden & any);
             self.behind[i] = hidden != 0;

@@ -6,6 +6,7 @@
 use super::{
     Stats,
     bins::Entry,
+    canvas::TILE,
     fill::Job,
     ink::Ink,
     lanes::{LANES, Wide, greatest, least, mask},
@@ -13,11 +14,14 @@ use super::{
     rows::{Exact, column},
     setup::Setup,
     test::Test,
-    tile::Tile,
+    tile::{BLOCK, Tile},
 };
 
 /// Most rows and columns of a small triangle.
-pub(super) const SIDE: usize = 8;
+pub(super) const SIDE: usize = BLOCK;
+
+/// Of so many rows and more it is asked whether they are hidden.
+const TALL: usize = 6;
 
 /// What is covered of the rows of a few small triangles: the columns from `begin` to before `end`; of empty rows both
 /// are 0.
@@ -48,6 +52,8 @@ impl SmallRows {
             highest = highest.max(heights[i]);
         }
         let asks_left = counts && job.origin[0] > 0;
+        let mut edges: [Option<Exact>; LANES] = [const { None }; LANES];
+        let mut exact = |i: usize| *edges[i].get_or_insert_with(|| Exact::new(&entries[i], job));
         for row in 0..SIDE.min(highest as usize) {
             let mut left = [[f64::NEG_INFINITY; LANES]; 2];
             let mut right = [[f64::INFINITY; LANES]; 2];
@@ -79,9 +85,8 @@ impl SmallRows {
                 for i in 0..entries.len().min(LANES) {
                     let sides = [[left_low[i], left_high[i]], [right_low[i], right_high[i]]];
                     if (row as u32) < heights[i] && sides.iter().any(|[low, high]| low != high) {
-                        let exact = Exact::new(&entries[i], job);
                         [rows.begin[row][i], rows.end[row][i]] =
-                            exact.row(setup.rows[0][i] + row as u32, sides, stats);
+                            exact(i).row(setup.rows[0][i] + row as u32, sides, stats);
                     }
                 }
             }
@@ -90,8 +95,7 @@ impl SmallRows {
                 for i in 0..entries.len().min(LANES) {
                     if rows.begin[row][i] == 0 && rows.end[row][i] > 0 && left[0][i] <= -1.0 {
                         let y = setup.rows[0][i] + row as u32;
-                        let goes_on =
-                            left[1][i] <= -1.0 || Exact::new(&entries[i], job).covers_left(y, stats);
+                        let goes_on = left[1][i] <= -1.0 || exact(i).covers_left(y, stats);
                         continued += u64::from(goes_on);
                     }
                 }
@@ -120,19 +124,46 @@ impl Tile {
         (job, entry): (Job<'_>, &Entry),
         stats: &mut Stats,
     ) {
-        let start = (setup.columns[0][lane] as usize).min(super::canvas::TILE - SIDE);
-        let [first, last] = [0, 1].map(|end| setup.rows[end][lane] as usize);
         if I::COUNTS && setup.behind[lane] {
             return;
         }
+        let [left, right] = [0, 1].map(|end| setup.columns[end][lane] as usize);
+        let [first, last] = [0, 1].map(|end| setup.rows[end][lane] as usize);
+        if job.rules.hierarchical_z && last - first >= TALL {
+            let mut tops = (first & !(LANES - 1)..last).step_by(LANES);
+            let mut hides = |x, y| setup.nearest[lane] >= f64::from(self.farthest(x, y));
+            if tops.all(|y| hides(left, y) && hides(right - 1, y)) {
+                stats.hidden += 1;
+                return;
+            }
+        }
+        if right - left <= 8 {
+            self.small_rows::<T, I, 8>((test, ink), (setup, rows, lane), (job, entry), stats);
+        } else {
+            self.small_rows::<T, I, 16>((test, ink), (setup, rows, lane), (job, entry), stats);
+        }
+    }
+
+    /// Its rows, `N` pixels of each.
+    #[inline(always)]
+    fn small_rows<T: Test, I: Ink, const N: usize>(
+        &mut self,
+        (test, ink): (T, &mut I),
+        (setup, rows, lane): (&Setup, &SmallRows, usize),
+        (job, entry): (Job<'_>, &Entry),
+        stats: &mut Stats,
+    ) {
+        let start = (setup.columns[0][lane] as usize).min(TILE - N);
+        let [first, last] = [0, 1].map(|end| setup.rows[end][lane] as usize);
         let slope = setup.dz_dx[lane];
-        let mut across = [0.0; SIDE];
-        for i in 0..SIDE {
+        let mut across = [0.0; N];
+        for i in 0..N {
             across[i] = slope * (start + i) as f64;
         }
         stats.blocks += 1;
-        self.age(start, first, SIDE);
-        self.age(start, last - 1, SIDE);
+        for top in (first & !(LANES - 1)..last).step_by(LANES) {
+            self.age(start, top, N);
+        }
         for (row, y) in (first..last).enumerate() {
             let (begin, end) = (rows.begin[row % SIDE][lane], rows.end[row % SIDE][lane]);
             if begin == end {

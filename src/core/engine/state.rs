@@ -1,6 +1,6 @@
 //! How triangles are drawn.
 
-use super::Lanes;
+use super::{Lanes, Threads};
 use crate::{
     depth::{CompareFunction, DepthFormat, DepthState},
     pipeline::{Skip, Skips},
@@ -25,10 +25,12 @@ pub struct State {
     pub skips: Skips,
     /// The vector unit.
     pub lanes: Lanes,
+    /// How many threads draw.
+    pub threads: Threads,
 }
 
 impl Default for State {
-    /// Nearer ones win, top-left, y down, every skip, the widest unit.
+    /// Nearer ones win, top-left, y down, every skip, the widest unit, one thread.
     fn default() -> Self {
         Self {
             depth: DepthState::default(),
@@ -38,6 +40,7 @@ impl Default for State {
             y_axis: YAxis::default(),
             skips: Skips::ALL,
             lanes: Lanes::widest(),
+            threads: Threads::ONE,
         }
     }
 }

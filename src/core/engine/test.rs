@@ -8,6 +8,9 @@ use crate::depth::DepthState;
 
 /// Decides about depths that are known as intervals.
 pub(super) trait Test: Copy {
+    /// Whether there is a stencil test before.
+    const STENCIL: bool;
+
     /// What is stored for a depth that lies between two: that for the least and that for the greatest.
     fn ends(&self, near: f64, far: f64) -> [f32; 2];
 
@@ -27,6 +30,8 @@ pub(super) trait Test: Copy {
 pub(super) struct Nearer;
 
 impl Test for Nearer {
+    const STENCIL: bool = false;
+
     #[inline(always)]
     fn ends(&self, near: f64, far: f64) -> [f32; 2] {
         [near as f32, far as f32]
@@ -72,6 +77,8 @@ impl Any {
 }
 
 impl Test for Any {
+    const STENCIL: bool = false;
+
     #[inline(always)]
     fn ends(&self, near: f64, far: f64) -> [f32; 2] {
         [near as f32, far as f32]
@@ -115,6 +122,8 @@ impl Codes {
 }
 
 impl Test for Codes {
+    const STENCIL: bool = false;
+
     #[inline(always)]
     fn ends(&self, near: f64, far: f64) -> [f32; 2] {
         const SLACK: f64 = 1.0 / (1 << 24) as f64;
@@ -134,5 +143,33 @@ impl Test for Codes {
     #[inline(always)]
     fn written(&self) -> u32 {
         self.state.written()
+    }
+}
+
+/// The same behind a stencil test.
+#[derive(Clone, Copy)]
+pub(super) struct Masked<T>(pub(super) T);
+
+impl<T: Test> Test for Masked<T> {
+    const STENCIL: bool = true;
+
+    #[inline(always)]
+    fn ends(&self, near: f64, far: f64) -> [f32; 2] {
+        self.0.ends(near, far)
+    }
+
+    #[inline(always)]
+    fn passes(&self, new: f32, stored: f32) -> u32 {
+        self.0.passes(new, stored)
+    }
+
+    #[inline(always)]
+    fn matters(&self, covered: u32, passes: u32) -> u32 {
+        self.0.matters(covered, passes)
+    }
+
+    #[inline(always)]
+    fn written(&self) -> u32 {
+        self.0.written()
     }
 }

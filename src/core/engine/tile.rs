@@ -5,7 +5,7 @@
 
 use super::{
     Stats,
-    canvas::{Canvas, Clear, TILE},
+    canvas::{Clear, Strip, TILE},
     lanes::LANES,
     paint::{Brushes, Painter},
 };
@@ -69,14 +69,14 @@ impl Tile {
         (self.farthest, self.drawn) = ([clear.depth; BLOCKS], [0; BLOCKS]);
     }
 
-    /// Takes the pixels of a canvas; `origin` is the first.
-    pub(super) fn load(&mut self, canvas: &Canvas, origin: [u32; 2]) {
-        for (range, at) in spans(canvas, origin) {
-            let codes = canvas.color().get(range.clone()).unwrap_or_default();
+    /// Takes the pixels of a strip from column `left` on.
+    pub(super) fn load(&mut self, strip: &Strip<'_>, left: u32) {
+        for (range, at) in strip.rows(left) {
+            let codes = strip.color[4 * range.start..4 * range.end].as_chunks().0;
             let color = self.color.0[at..].iter_mut().zip(codes);
             color.for_each(|(pixel, codes)| *pixel = u32::from_ne_bytes(*codes));
-            self.depth.0[at..at + range.len()].copy_from_slice(&canvas.depth[range.clone()]);
-            if let Some(stencil) = canvas.stencil.get(range.clone()) {
+            self.depth.0[at..at + range.len()].copy_from_slice(&strip.depth[range.clone()]);
+            if let Some(stencil) = strip.stencil.get(range.clone()) {
                 self.stencil[at..at + range.len()].copy_from_slice(stencil);
             }
         }
@@ -90,18 +90,18 @@ impl Tile {
     }
 
     /// Gives them back.
-    pub(super) fn store(&self, canvas: &mut Canvas, origin: [u32; 2]) {
-        for (range, at) in spans(canvas, origin) {
-            let codes = canvas.color[4 * range.start..4 * range.end].as_chunks_mut().0;
+    pub(super) fn store(&self, strip: &mut Strip<'_>, left: u32) {
+        for (range, at) in strip.rows(left) {
+            let codes = strip.color[4 * range.start..4 * range.end].as_chunks_mut().0;
             let color = codes.iter_mut().zip(&self.color.0[at..]);
             color.for_each(|(codes, pixel)| *codes = pixel.to_ne_bytes());
-            self.store_depth(canvas, range, at);
+            self.store_depth(strip, range, at);
         }
     }
 
-    fn store_depth(&self, canvas: &mut Canvas, range: Range<usize>, at: usize) {
-        canvas.depth[range.clone()].copy_from_slice(&self.depth.0[at..at + range.len()]);
-        if let Some(stencil) = canvas.stencil.get_mut(range.clone()) {
+    fn store_depth(&self, strip: &mut Strip<'_>, range: Range<usize>, at: usize) {
+        strip.depth[range.clone()].copy_from_slice(&self.depth.0[at..at + range.len()]);
+        if let Some(stencil) = strip.stencil.get_mut(range.clone()) {
             stencil.copy_from_slice(&self.stencil[at..at + range.len()]);
         }
     }
@@ -110,30 +110,30 @@ impl Tile {
     /// others are cleared if `clear` says to what. Counts the pixels that are painted.
     pub(super) fn store_painted<P: Painter>(
         &mut self,
-        canvas: &mut Canvas,
-        origin: [u32; 2],
+        strip: &mut Strip<'_>,
+        left: u32,
         clear: Option<&Clear>,
         brushes: &mut Brushes<'_, P>,
         stats: &mut Stats,
     ) {
-        for (row, (range, at)) in spans(canvas, origin).enumerate() {
-            let codes = canvas.color[4 * range.start..4 * range.end].as_chunks_mut().0;
+        for (row, (range, at)) in strip.rows(left).enumerate() {
+            let codes = strip.color[4 * range.start..4 * range.end].as_chunks_mut().0;
             if let Some(clear) = clear {
                 codes.fill(clear.color);
             }
             let numbers = &self.color.0[at..at + range.len()];
-            let y = origin[1] + row as u32;
+            let y = strip.top + row as u32;
             let (mut x, mut touched) = (0, 0);
             for run in numbers.chunk_by(|a, b| a == b) {
                 let end = x + run.len();
                 if let Some(triangle) = run[0].checked_sub(1) {
-                    brushes.paint(triangle, [origin[0] + x as u32, y], &mut codes[x..end], stats);
+                    brushes.paint(triangle, [left + x as u32, y], &mut codes[x..end], stats);
                     touched |= u64::MAX >> (64 - run.len()) << x;
                 }
                 x = end;
             }
             self.touched[row] = touched;
-            self.store_depth(canvas, range, at);
+            self.store_depth(strip, range, at);
         }
     }
 
@@ -234,15 +234,4 @@ fn greatest_of(values: &[f32; BLOCK]) -> f32 {
 #[inline(always)]
 fn block_at(x: usize, y: usize) -> usize {
     (y / LANES * ACROSS + x / BLOCK) % BLOCKS
-}
-
-/// The rows of a canvas in a tile: where they lie in the canvas and where in the tile.
-fn spans(canvas: &Canvas, [x, y]: [u32; 2]) -> impl Iterator<Item = (Range<usize>, usize)> + use<> {
-    let [width, height] = canvas.size.map(|pixels| pixels as usize);
-    let (x, y) = (x as usize, y as usize);
-    let columns = TILE.min(width - x);
-    (0..TILE.min(height - y)).map(move |row| {
-        let at = (y + row) * width + x;
-        (at..at + columns, row * TILE)
-    })
 }

@@ -1,8 +1,9 @@
 //! The two ways in which the triangles of a tile become colours.
 
 use super::{
-    Canvas, Clear, PaintOrder, Painter, Stats,
+    Clear, PaintOrder, Painter, Stats,
     bins::Entry,
+    canvas::Strip,
     fill::Job,
     ink::{Flat, Ink, Numbers, Wet},
     paint::Brushes,
@@ -10,14 +11,22 @@ use super::{
 };
 
 /// How the triangles of a tile become colours: first they are drawn, then the tile is given back.
-pub(super) trait Way {
-    fn counts(&self) -> bool;
-    fn draw(&mut self, tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats);
+pub(super) trait Way: Sync {
+    /// Whether fragments are counted.
+    const COUNTS: bool;
+    /// What is kept from tile to tile.
+    type Kit<'k>
+    where
+        Self: 'k;
+
+    fn kit(&self) -> Self::Kit<'_>;
+    fn draw(kit: &mut Self::Kit<'_>, tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats);
+    /// `at`: the number of the tile in its strip, and its first column.
     fn store(
-        &mut self,
+        kit: &mut Self::Kit<'_>,
         tile: &mut Tile,
-        canvas: (&mut Canvas, usize),
-        origin: [u32; 2],
+        strip: &mut Strip<'_>,
+        at: (usize, u32),
         clear: Option<&Clear>,
         stats: &mut Stats,
     );
@@ -27,56 +36,63 @@ pub(super) trait Way {
 pub(super) struct Plain;
 
 /// By a painter.
-pub(super) struct Painted<'p, P: Painter>(pub(super) Brushes<'p, P>);
+pub(super) struct Painted<'p, P: Painter>(pub(super) &'p P);
 
 impl Way for Plain {
-    fn counts(&self) -> bool {
-        Flat::COUNTS
-    }
+    const COUNTS: bool = Flat::COUNTS;
+    type Kit<'k> = ();
 
-    fn draw(&mut self, tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats) {
+    fn kit(&self) {}
+
+    fn draw((): &mut (), tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats) {
         tile.draw(&mut Flat, job, list, stats);
     }
 
     fn store(
-        &mut self,
+        (): &mut (),
         tile: &mut Tile,
-        (canvas, _): (&mut Canvas, usize),
-        origin: [u32; 2],
+        strip: &mut Strip<'_>,
+        (_, left): (usize, u32),
         _: Option<&Clear>,
         _: &mut Stats,
     ) {
-        tile.store(canvas, origin);
+        tile.store(strip, left);
     }
 }
 
 impl<P: Painter> Way for Painted<'_, P> {
-    fn counts(&self) -> bool {
-        Numbers::COUNTS
+    const COUNTS: bool = Numbers::COUNTS;
+    type Kit<'k>
+        = Brushes<'k, P>
+    where
+        Self: 'k;
+
+    fn kit(&self) -> Brushes<'_, P> {
+        Brushes::new(self.0)
     }
 
-    fn draw(&mut self, tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats) {
-        if self.0.painter().order() == PaintOrder::Last {
+    fn draw(brushes: &mut Brushes<'_, P>, tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats) {
+        if brushes.painter().order() == PaintOrder::Last {
             tile.number();
             tile.draw(&mut Numbers, job, list, stats);
         } else {
-            tile.draw(&mut Wet(&mut self.0), job, list, stats);
+            tile.draw(&mut Wet(brushes), job, list, stats);
         }
     }
 
     fn store(
-        &mut self,
+        brushes: &mut Brushes<'_, P>,
         tile: &mut Tile,
-        (canvas, index): (&mut Canvas, usize),
-        origin: [u32; 2],
+        strip: &mut Strip<'_>,
+        (index, left): (usize, u32),
         clear: Option<&Clear>,
         stats: &mut Stats,
     ) {
-        if self.0.painter().order() == PaintOrder::Last {
-            tile.store_painted(canvas, origin, clear, &mut self.0, stats);
+        if brushes.painter().order() == PaintOrder::Last {
+            tile.store_painted(strip, left, clear, brushes, stats);
         } else {
-            tile.store(canvas, origin);
+            tile.store(strip, left);
         }
-        tile.mark(&mut canvas.painted[index], stats);
+        tile.mark(&mut strip.painted[index], stats);
     }
 }

@@ -140,8 +140,8 @@ impl Family for Lighting {
         Self {
             point: [0.0, 0.0],
             normal: [0.0, 1.0],
-            light: [-3.0, 4.0],
-            eye: [4.0, 3.0],
+            light: [-1.5, 2.0],
+            eye: [2.0, 1.5],
             far: false,
             intensity: one(),
             attenuation: steady(),

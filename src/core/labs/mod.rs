@@ -26,6 +26,7 @@ mod interpolation;
 mod lectures;
 mod lighting;
 mod msaa;
+mod of_pixel;
 mod perspective_correction;
 mod pipeline;
 mod shading;
@@ -34,6 +35,7 @@ mod transform;
 mod z_buffer;
 
 pub use self::lectures::Topic;
+pub use self::of_pixel::lab_of;
 pub use self::{
     back_face::BackFace,
     blend::{Blend, Layer},
@@ -59,7 +61,7 @@ pub use self::{
     shading::{ShadeMode, Shading},
     stencil::{Order, Stencil},
     transform::Transform,
-    z_buffer::ZBuffer,
+    z_buffer::{TriangleState, ZBuffer},
 };
 pub use crate::stage::Stage;
 pub(crate) use input::Family;

@@ -7,6 +7,7 @@ use super::{
     lit::{Lit, Varyings},
     stages::{self, Clipped, CullKey, Culled, Fate, Point},
     stats::Reason,
+    visible::Visible,
 };
 use crate::{
     clip::polygon::Plane,
@@ -15,7 +16,7 @@ use crate::{
     scene::{Draw, Mesh, Scene, Shade},
     shade::{Illumination, Light, Material},
     stage::Stage,
-    transform::{Camera, DepthRange, Matrix, Viewport, apply, chain::model_matrix, divide},
+    transform::{Camera, Matrix, Viewport, apply, chain::model_matrix, divide},
 };
 
 /// A stage's output, kept while its key stays equal; its revision moves only when its value does.
@@ -89,7 +90,7 @@ pub struct DrawOutputs {
     view: Kept<(u64, Matrix), Vec<Point>>,
     clip: Kept<(u64, Matrix), Vec<Point>>,
     cull: Kept<(u64, u64, CullKey), Culled>,
-    polygons: Kept<(u64, u64, [u64; 2], DepthRange), Clipped>,
+    polygons: Kept<(u64, u64, [u64; 2], Visible), Clipped>,
     ndc: Kept<u64, Vec<Point>>,
     screen: Kept<(u64, Viewport), Vec<Point>>,
     lit: Kept<LitKey, Lit>,
@@ -208,7 +209,9 @@ impl DrawOutputs {
 
     /// Brings the stages up to date; `outside`: a plane that the whole object lies outside of.
     pub(super) fn update(&mut self, draw: &Draw, shared: &Shared<'_>, outside: Option<Plane>) {
-        self.outside = outside;
+        let key = CullKey::new(draw, shared.scene.depth_range, shared.skips);
+        // A body may lie beyond a plane that does not clip.
+        self.outside = outside.filter(|plane| key.visible.clips_at(*plane));
         let mesh = &*self.mesh;
         let model = self.model;
         let is_outside = self.outside.is_some();
@@ -221,7 +224,6 @@ impl DrawOutputs {
         let view = &self.view.out;
         self.clip.update((view.rev(), shared.projection), || through(&shared.projection, view.get()));
         let clip = &self.clip.out;
-        let key = CullKey::new(draw, shared.scene.depth_range, shared.skips);
         self.cull.update((clip.rev(), self.mesh_rev, key), || stages::cull(&key, clip.get(), mesh));
         let Scene { camera, lights, .. } = shared.scene;
         let lit = (draw.shade, *camera);
@@ -233,8 +235,8 @@ impl DrawOutputs {
         let (cull, varyings) = (&self.cull.out, Varyings::new(mesh, lit.get()));
         // A factor for each triangle is not interpolated.
         let attributes = [self.mesh_rev, if lit.get().normals.is_empty() { 0 } else { lit.rev() }];
-        self.polygons.update((clip.rev(), cull.rev(), attributes, key.range), || {
-            stages::clip(cull.get(), clip.get(), &varyings, key.range)
+        self.polygons.update((clip.rev(), cull.rev(), attributes, key.visible), || {
+            stages::clip(cull.get(), clip.get(), &varyings, key.visible)
         });
         let polygons = &self.polygons.out;
         self.ndc.update(polygons.rev(), || polygons.get().corners.iter().copied().map(divide).collect());

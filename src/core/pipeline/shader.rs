@@ -231,7 +231,13 @@ impl Color<'_> {
         if channel == 3 { 1.0 } else { self.factor }
     }
 
-    fn approx(&self, channel: usize) -> Approx {
+    /// The alpha of all vertices, if it is one.
+    pub(super) fn uniform_alpha(&self) -> Option<f32> {
+        let [a, b, c] = self.shader.channels[3];
+        (a == b && b == c).then_some(a)
+    }
+
+    pub(super) fn approx(&self, channel: usize) -> Approx {
         if let Some(lit) = self.lit {
             return Approx::exact(f64::from(lit[channel]));
         }
@@ -239,7 +245,7 @@ impl Color<'_> {
     }
 
     /// One channel as a quotient without a rounding.
-    fn exact(&self, channel: usize) -> (Dyadic, Dyadic) {
+    pub(super) fn exact(&self, channel: usize) -> (Dyadic, Dyadic) {
         if let Some(lit) = self.lit {
             return (Dyadic::from(lit[channel]), Dyadic::one());
         }

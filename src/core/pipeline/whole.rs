@@ -5,14 +5,16 @@
 
 use super::{
     DrawOutputs, Frame, Skip, Stats,
-    fragments::{Counts, FragmentState, ImageState, Paint},
+    counts::Counts,
+    fragments::{FragmentState, ImageState, Paint},
     frame::stored_depth,
     gradient::Gradient,
     shader::Shader,
 };
 use crate::{
     engine::{
-        self, Canvas, Clear, Colors, DepthStore, Engine, Lanes, PaintOrder, Painter, Stencil, Triangles,
+        self, Canvas, Clear, Colors, DepthStore, Engine, Lanes, PaintOrder, Painter, Stencil, Threads,
+        Triangles,
     },
     math::Tally,
     raster::Samples,
@@ -28,6 +30,7 @@ pub(super) struct Whole {
     /// Between images the depths of the canvas, if they are codes.
     codes: Vec<f32>,
     clear: Clear,
+    threads: Threads,
     /// Whether nothing was drawn yet.
     fresh: bool,
     /// The corners of all pieces that are drawn together, three each.
@@ -47,8 +50,9 @@ struct Place {
 
 impl Whole {
     /// Whether the engine has a way to draw such an image.
-    pub(super) fn can_draw(state: &ImageState) -> bool {
-        state.samples == Samples::One && DepthStore::of(state.format).is_some()
+    pub(super) fn can_draw(state: &ImageState, draws: &[FragmentState]) -> bool {
+        let plain = draws.iter().all(FragmentState::is_plain);
+        plain && state.samples == Samples::One && DepthStore::of(state.format).is_some()
     }
 
     /// An image of clear values only, written to `frame`; `None` if the engine has no way to draw it.
@@ -72,7 +76,18 @@ impl Whole {
         }
         let engine = Engine::default();
         let (soup, places, stats) = Default::default();
-        Some(Self { engine, canvas, store, codes, clear, fresh: true, soup, places, stats })
+        Some(Self {
+            engine,
+            canvas,
+            store,
+            codes,
+            clear,
+            threads: Threads::available(),
+            fresh: true,
+            soup,
+            places,
+            stats,
+        })
     }
 
     /// Whether it holds an image of the same size that is cleared to the same values.
@@ -173,6 +188,7 @@ impl Whole {
             fill_rule: image.fill_rule,
             y_axis: image.y_axis,
             skips: image.skips,
+            threads: self.threads,
             ..engine::State::default()
         };
         let triangles = Triangles { positions: &self.soup, indices: None, colors: Colors::One([0; 4]) };

@@ -64,6 +64,9 @@ fn role_of(mark: &mut Mark) -> Option<(&mut Role, u8)> {
         | Mark::Key { .. }
         | Mark::Hint { .. }
         | Mark::Image { .. }
+        | Mark::Numbers(_)
+        | Mark::Ramp { .. }
+        | Mark::Wires(_)
         | Mark::Space(_) => None,
     }
 }

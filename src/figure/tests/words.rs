@@ -130,7 +130,27 @@ fn no_message_is_missing() {
 
 /// The name in an id that the benchmark puts together from a kind and a name.
 fn name_in_bench(id: &str) -> Option<&str> {
-    let kinds = ["stage", "family", "item", "call", "column", "verdict", "claim", "series"];
+    let kinds = [
+        "stage",
+        "family",
+        "item",
+        "call",
+        "column",
+        "verdict",
+        "claim",
+        "short-claim",
+        "series",
+        "curve",
+        "guide",
+        "algorithm",
+        "error",
+        "short-error",
+        "growing",
+        "method",
+        "axis",
+        "x",
+        "y",
+    ];
     let name = kinds.iter().find_map(|kind| id.strip_prefix(&format!("bench-{kind}-")))?;
     Some(name.strip_suffix("-here").unwrap_or(name))
 }

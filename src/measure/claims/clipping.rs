@@ -102,8 +102,8 @@ pub(super) fn no_division_to_decide(_: &Stopwatch<'_>) -> Finding {
         lines[kind] += 1;
         divisions[kind] += count(|event| matches!(event, Event::Divide { .. })) as u32;
     }
-    let per_line =
-        [0, 1, 2].map(|cuts| (cuts as f64, f64::from(divisions[cuts]) / f64::from(lines[cuts].max(1))));
+    let per_line = [(0, "0"), (1, "1"), (2, "2")]
+        .map(|(cuts, name)| (name, f64::from(divisions[cuts]) / f64::from(lines[cuts].max(1))));
     let verdict = if divisions[0] == 0 { Verdict::Holds } else { Verdict::DoesNotHold };
     Finding { series: vec![Series::counted("divisions-by-cuts", per_line)], verdict }
 }

@@ -1,8 +1,10 @@
 //! What the lectures say about cost, each claim as an experiment with numbers and a verdict.
 
+mod attributes;
 mod clipping;
 mod culling;
 mod pixels;
+mod visibility;
 
 use serde::{Serialize, Serializer};
 
@@ -118,31 +120,97 @@ pub struct Finding {
     pub verdict: Verdict,
 }
 
+/// What an axis counts in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Steps {
+    /// Each step adds as much.
+    Sums,
+    /// Each step is as many times as much.
+    Factors,
+}
+
+use Steps::{Factors, Sums};
+
 /// A claim and its experiment.
 #[derive(Clone, Copy, Debug)]
 pub struct Claim {
     /// `bench-claim-NAME` is its sentence, `bench-claim-NAME-here` what was found about it.
     pub name: &'static str,
+    /// What is varied, `bench-x-NAME`, and what is found, `bench-y-NAME`.
+    pub(crate) axes: [&'static str; 2],
+    /// How they are drawn; names have bars all the same.
+    pub(crate) steps: [Steps; 2],
+    /// What the numbers are held against, `bench-guide-` and the claim's name.
+    pub(crate) guide: Option<f64>,
+    /// How many series are drawn: the others have another unit.
+    pub(crate) drawn: usize,
     run: fn(&Stopwatch<'_>) -> Finding,
 }
 
 /// Every claim, in the order of the pipeline.
-pub static CLAIMS: [Claim; 9] = [
-    Claim { name: "culling-removes-half", run: culling::removes_half },
-    Claim { name: "cull-before-clipping", run: culling::before_clipping },
-    Claim { name: "outcodes-when-outside", run: clipping::outcodes_when_outside },
-    Claim { name: "no-division-to-decide", run: clipping::no_division_to_decide },
-    Claim { name: "z-buffer-constant", run: pixels::z_buffer_constant },
-    Claim { name: "regions-save-tests", run: pixels::regions_save_tests },
-    Claim { name: "fixed-point-is-enough", run: pixels::fixed_point_is_enough },
-    Claim { name: "additions-are-cheap", run: pixels::additions_are_cheap },
-    Claim { name: "row-coherence", run: pixels::row_coherence },
+pub static CLAIMS: [Claim; 11] = [
+    Claim {
+        axes: ["model", "share"],
+        guide: Some(0.5),
+        ..claim("culling-removes-half", [Sums, Sums], culling::removes_half)
+    },
+    Claim {
+        axes: ["model", "late-by-early"],
+        guide: Some(1.0),
+        ..claim("cull-before-clipping", [Sums, Sums], culling::before_clipping)
+    },
+    Claim {
+        axes: ["outside", "line"],
+        ..claim("outcodes-when-outside", [Sums, Sums], clipping::outcodes_when_outside)
+    },
+    Claim {
+        axes: ["cuts", "divisions"],
+        ..claim("no-division-to-decide", [Sums, Sums], clipping::no_division_to_decide)
+    },
+    Claim {
+        axes: ["triangles", "frame"],
+        drawn: 3,
+        ..claim("object-space-quadratic", [Factors, Factors], visibility::object_space_quadratic)
+    },
+    Claim {
+        axes: ["triangles", "frame"],
+        ..claim("z-buffer-constant", [Factors, Sums], pixels::z_buffer_constant)
+    },
+    Claim {
+        axes: ["leg", "tests"],
+        ..claim("regions-save-tests", [Factors, Factors], pixels::regions_save_tests)
+    },
+    Claim {
+        axes: ["leg", "changed"],
+        guide: Some(1e3),
+        ..claim("fixed-point-is-enough", [Factors, Factors], pixels::fixed_point_is_enough)
+    },
+    Claim {
+        axes: ["leg", "pixel"],
+        ..claim("additions-are-cheap", [Factors, Factors], pixels::additions_are_cheap)
+    },
+    Claim {
+        axes: ["mode", "divisions-pixel"],
+        drawn: 1,
+        ..claim("perspective-one-division", [Sums, Sums], attributes::one_division)
+    },
+    Claim { axes: ["leg", "depth"], ..claim("row-coherence", [Factors, Factors], pixels::row_coherence) },
 ];
+
+/// A claim whose axes are still to be named.
+const fn claim(name: &'static str, steps: [Steps; 2], run: fn(&Stopwatch<'_>) -> Finding) -> Claim {
+    Claim { name, axes: [""; 2], steps, guide: None, drawn: usize::MAX, run }
+}
 
 impl Claim {
     /// Makes the experiment; `None` if it was stopped.
     pub fn examine(&self, stopwatch: &Stopwatch<'_>) -> Option<Finding> {
         let finding = (self.run)(stopwatch);
         (stopwatch.wanted)().then_some(finding)
+    }
+
+    /// The claim called `name`.
+    pub fn from_name(name: &str) -> Option<&'static Self> {
+        CLAIMS.iter().find(|claim| claim.name == name)
     }
 }

@@ -44,6 +44,7 @@ impl Lab for Pipeline {
         choices::snapping(ui, face, view);
         light::shade(ui, face, &mut document.scene);
         super::objects::show(ui, face, &mut document.scene);
+        super::fragment_state::of_draws(ui, face, &mut document.scene);
         super::placing::camera(ui, face, &mut document.scene);
         light::show(ui, face, &mut document.scene);
         heading(ui, face, &face.say("ui-skips"));

@@ -4,7 +4,10 @@ use rasterscope_core::{
     depth::DepthFormat,
     explain::Role,
     message::{Message, Value},
-    pipeline::{Outcome, Outputs, PixelHistory, pixel_history, pixel_light},
+    pipeline::{
+        Outcome, Outputs, PixelCounts, PixelEntry, PixelHistory, ScreenTriangle, draw_name, pixel_history,
+        pixel_light, triangle_name,
+    },
     scene::Scene,
 };
 use rasterscope_figure::words::Words;
@@ -32,6 +35,7 @@ pub(crate) struct Entry {
     pub(crate) details: Vec<String>,
     /// Whether a run over the fragments steps through it.
     pub(crate) fragment: bool,
+    pub(crate) of: PixelEntry,
 }
 
 impl History {
@@ -48,6 +52,7 @@ impl History {
                 .map(|line| words.message(line))
                 .collect(),
             fragment: entry.is_fragment(),
+            of: entry.clone(),
         });
         Self {
             pixel: history.pixel,
@@ -68,12 +73,32 @@ const MOST_TRIANGLES: usize = 20_000;
 pub(crate) struct Hover {
     pub(crate) pixel: [u32; 2],
     pub(crate) text: String,
+    /// The triangle that is seen there, if it is known: its corners on the screen, and its name.
+    pub(crate) triangle: Option<(Vec<[f32; 2]>, String)>,
 }
 
 impl Hover {
-    pub(crate) fn new(scene: &Scene, outputs: &Outputs, pixel: [u32; 2], words: &Words) -> Self {
+    pub(crate) fn new(
+        (scene, outputs): (&Scene, &Outputs),
+        counts: Option<&PixelCounts>,
+        pixel: [u32; 2],
+        words: &Words,
+    ) -> Self {
         let frame = &outputs.frame;
         let at = frame.index(pixel);
+        if let Some(counts) = counts {
+            let triangle = counts.last_written(at);
+            let fragments = Message::new("ui-readout-fragments")
+                .with("written", counts.written[at])
+                .with("generated", counts.generated[at]);
+            let seen = match triangle {
+                Some(triangle) => words.message(&number(scene, triangle)),
+                None => words.word("ui-readout-clear"),
+            };
+            let text = format!("{seen}  {}", words.message(&fragments));
+            let triangle = triangle.map(|triangle| outline(scene, outputs, triangle));
+            return Self { pixel, text, triangle };
+        }
         let depth = Message::new("ui-readout-depth").with("depth", frame.depth[at]);
         let mut parts = vec![words.message(&depth)];
         if let Some(codes) = frame.depth_codes.as_ref().filter(|_| scene.depth_format != DepthFormat::F32) {
@@ -92,6 +117,29 @@ impl Hover {
                 None => words.word("ui-readout-clear"),
             });
         }
-        Self { pixel, text: parts.join("  ") }
+        Self { pixel, text: parts.join("  "), triangle: None }
     }
+}
+
+/// Which triangle of its draw a piece is of, from 1.
+fn number(scene: &Scene, piece: &ScreenTriangle) -> Message {
+    let index = piece.draw as usize;
+    let draw = &scene.draws[index];
+    let count = draw.geometry.mesh().map_or(0, |mesh| mesh.triangles.len());
+    Message::new("ui-readout-triangle")
+        .with("number", piece.triangle + 1)
+        .with("count", count)
+        .with("name", Value::Text(draw_name((index, draw))))
+}
+
+/// What clipping left of the triangle that a piece is of, and what it is called.
+fn outline(scene: &Scene, outputs: &Outputs, piece: &ScreenTriangle) -> (Vec<[f32; 2]>, String) {
+    let index = piece.draw as usize;
+    let stages = &outputs.draws[index];
+    let polygons = &stages.clipped().polygons;
+    let polygon = polygons.iter().find(|polygon| polygon.triangle == piece.triangle);
+    let corners =
+        polygon.map_or(&[][..], |polygon| &stages.screen()[polygon.first as usize..][..polygon.len as usize]);
+    let name = triangle_name((index, &scene.draws[index]), piece.triangle, None);
+    (corners.iter().map(|[x, y, ..]| [*x, *y]).collect(), name)
 }

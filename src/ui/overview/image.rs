@@ -17,15 +17,18 @@ const MOST_OUTLINES: usize = 64;
 /// Larger images have no grid until they are zoomed in.
 const MOST_GRID: u32 = 160;
 
-/// The marks of the image and their view.
+/// The marks of the image, or of what lies on it, and their view.
 pub(super) fn drawing(
     outputs: &Outputs,
     scene: &Scene,
-    rgba: &Arc<Vec<u8>>,
+    (rgba, laid): (&Arc<Vec<u8>>, Option<&[Mark]>),
     view: &ViewState,
 ) -> (Vec<Mark>, View) {
     let [w, h] = scene.size;
-    let mut marks = vec![Mark::Image { size: [w as usize, h as usize], rgba: Arc::clone(rgba) }];
+    let mut marks = match laid {
+        Some(laid) => laid.to_vec(),
+        None => vec![Mark::Image { size: [w as usize, h as usize], rgba: Arc::clone(rgba) }],
+    };
     let triangles: usize = outputs.draws.iter().map(|draw| draw.mesh().triangles.len()).sum();
     if view.outlines && triangles <= MOST_OUTLINES {
         for (draw, stages) in scene.draws.iter().zip(&outputs.draws) {

@@ -5,10 +5,12 @@
 mod chips;
 mod history;
 mod image;
+mod laid;
 mod space;
 mod thumbnails;
 
 pub(crate) use history::{Entry, History, Hover};
+pub(crate) use laid::Laid;
 
 use crate::{
     document::{Scenery, ViewState},
@@ -31,13 +33,17 @@ pub(crate) struct Overview {
     /// Moves when the scene or the skips do.
     rev: u64,
     seen: Option<(Scene, Skips)>,
+    edits: laid::Edits,
+    laid: Option<laid::Of>,
+    /// What lies on the image, as marks.
+    layered: Memo<(u64, u64, ThemeName), Rc<[Mark]>>,
     image: Arc<Vec<u8>>,
     space: space::Space,
     picture: Memo<PictureKey, Rc<Picture>>,
     chips: Memo<(u64, ThemeName), Rc<[Chip]>>,
     table: Memo<u64, Rc<TextTable>>,
     history: Memo<(u64, [u32; 2]), Rc<History>>,
-    hover: Memo<(u64, [u32; 2]), Rc<Hover>>,
+    hover: Memo<(u64, u64, [u32; 2]), Rc<Hover>>,
 }
 
 /// What the overview's drawing depends on.
@@ -47,6 +53,8 @@ struct PictureKey {
     orbit: Option<Orbit>,
     outlines: bool,
     pixel: Option<[u32; 2]>,
+    /// What lies on the image, in which colours.
+    laid: Option<(u64, ThemeName)>,
 }
 
 /// A drawing of the overview.
@@ -65,6 +73,9 @@ impl Default for Overview {
             pipeline: Some(Self::pipeline()),
             rev: 0,
             seen: None,
+            edits: laid::Edits::default(),
+            laid: None,
+            layered: Memo::default(),
             image: Arc::default(),
             space: space::Space::default(),
             picture: Memo::default(),
@@ -102,7 +113,9 @@ impl Overview {
 
     /// Takes the pipeline back, up to date with a scene.
     pub(crate) fn give_back(&mut self, pipeline: Pipeline, scene: &Scene, skips: Skips) {
-        self.rev += 1;
+        if !self.is_of(scene, skips) {
+            self.rev += 1;
+        }
         let color = &pipeline.outputs().frame.color;
         // An equal image keeps its texture.
         if *self.image != *color {
@@ -110,6 +123,11 @@ impl Overview {
         }
         self.pipeline = Some(pipeline);
         self.seen = Some((scene.clone(), skips));
+    }
+
+    /// Forgets which scene was drawn: its pipeline is lost.
+    pub(crate) fn forget(&mut self) {
+        self.seen = None;
     }
 
     /// What the stages made of the scene.
@@ -132,12 +150,26 @@ impl Overview {
         let (scene, _) = self.seen.as_ref()?;
         let orbit = (view.scenery == Scenery::Space)
             .then(|| *view.orbit.get_or_insert_with(|| space::first_orbit(outputs, scene)));
-        let key = PictureKey { rev: self.rev, orbit, outlines: view.outlines, pixel: view.pixel };
+        let laid = self.laid.as_ref().filter(|laid| orbit.is_none() && laid.overlay == view.overlay);
+        let key = PictureKey {
+            rev: self.rev,
+            orbit,
+            outlines: view.outlines,
+            pixel: view.pixel,
+            laid: laid.map(|laid| (laid.number, view.theme)),
+        };
         let rev = self.picture.runs() as u64;
         let picture = self.picture.get(key, |_| {
             let (maker, (marks, view)) = match orbit {
                 Some(orbit) => (Maker::Space, self.space.drawing(outputs, scene, &orbit)),
-                None => (Maker::Image, image::drawing(outputs, scene, &self.image, view)),
+                None => (Maker::Image, {
+                    let image = &self.image;
+                    let ground = laid.map(|laid| {
+                        let key = (self.rev, laid.number, view.theme);
+                        Rc::clone(self.layered.get(key, |_| laid.marks(scene, image, view.theme)))
+                    });
+                    image::drawing(outputs, scene, (image, ground.as_deref()), view)
+                }),
             };
             Rc::new(Picture { marks, view, maker, rev })
         });
@@ -183,7 +215,12 @@ impl Overview {
             return None;
         }
         let outputs = self.pipeline.as_ref()?.outputs();
-        let hover = self.hover.get((self.rev, pixel), |_| Rc::new(Hover::new(scene, outputs, pixel, words)));
+        let laid = self.laid.as_ref();
+        let key = (self.rev, laid.map_or(0, |laid| laid.number), pixel);
+        let hover = self.hover.get(key, |_| {
+            let counts = laid.and_then(|laid| laid.counts_of(self.rev));
+            Rc::new(Hover::new((scene, outputs), counts, pixel, words))
+        });
         Some(Rc::clone(hover))
     }
 }

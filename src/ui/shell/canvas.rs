@@ -19,6 +19,7 @@ use rasterscope_core::{
     compare::{Difference, Fact, Side},
     explain::{Grid, Mark, Vantage, View},
     message::Value,
+    pipeline::Overlay,
 };
 use rasterscope_figure::{
     figure::Figure,
@@ -205,6 +206,12 @@ impl Canvas {
         halo::under(ui.painter(), face, &plane, &marks);
         let figure = self.figure(drawing, camera, placement, rect.size(), face);
         paint::figure(ui.painter(), textures, rect.min, figure);
+        let pixel = on.and_then(|at| pixel_at(&plane, at));
+        let under =
+            hover.filter(|hover| Some(hover.pixel) == pixel).and_then(|hover| hover.triangle.as_ref());
+        if let Some((corners, name)) = under.filter(|_| open.view.overlay == Overlay::Triangle) {
+            halo::triangle(ui.painter(), face, &plane, corners, name);
+        }
         if on.is_none() {
             halo::over(ui.painter(), face, &plane, drawing.view);
         }

@@ -2,8 +2,8 @@
 //! ground under the marks that another panel points at.
 
 use super::handles::Plane;
-use crate::{face::Face, link::Thing};
-use egui::{Painter, Pos2, Rect, Stroke, StrokeKind, pos2};
+use crate::{face::Face, link::Thing, theme::Text};
+use egui::{Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Vec2, pos2, vec2};
 use rasterscope_core::explain::{Grid, Label, Mark, View};
 
 /// A mark is pointed at from this near.
@@ -51,6 +51,26 @@ pub(super) fn over(painter: &Painter, face: &Face<'_>, plane: &Plane, view: &Vie
         let row = Rect::from_two_pos(corners[0], corners[1]);
         painter.rect_stroke(row, 0, face.look.stroke(1.5, face.look.edge), StrokeKind::Outside);
     }
+}
+
+/// Outlines the triangle under the pointer and names it; called after the drawing.
+pub(super) fn triangle(painter: &Painter, face: &Face<'_>, plane: &Plane, corners: &[[f32; 2]], name: &str) {
+    let corners: Vec<Pos2> = corners.iter().map(|at| plane.place(*at)).collect();
+    if corners.is_empty() {
+        return;
+    }
+    let sum = corners.iter().fold(Vec2::ZERO, |sum, at| sum + at.to_vec2());
+    let middle = sum / corners.len() as f32;
+    for (width, color) in [(6.0, face.look.canvas), (3.0, face.look.text)] {
+        painter.add(Shape::closed_line(corners.clone(), Stroke::new(width, color)));
+    }
+    let galley = painter.layout_no_wrap(name.to_owned(), face.look.font(Text::MonoStrong), face.look.text);
+    let plate = Rect::from_center_size(middle.to_pos2(), galley.size() + vec2(10.0, 4.0));
+    // What is seen of a small triangle stays in sight beside its plate.
+    let small = Rect::from_points(&corners).height() < 3.0 * plate.height();
+    let plate = if small { plate.translate(vec2(0.0, -1.5 * plate.height())) } else { plate };
+    painter.rect_filled(plate, 3, face.look.canvas);
+    painter.galley(plate.center() - galley.size() / 2.0, galley, face.look.text);
 }
 
 /// The name that a mark bears.

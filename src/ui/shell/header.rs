@@ -4,10 +4,14 @@ use crate::{
     document::{Scenery, ViewState},
     face::Face,
     theme::Text,
-    widgets::{text_in, wear},
+    widgets::{down, text_in, wear},
 };
-use egui::{Align2, Rect, Role as Part, Sense, Ui, WidgetInfo, pos2, vec2};
-use rasterscope_core::{message::Message, scene::Scene};
+use egui::{Align2, ComboBox, Rect, Role as Part, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
+use rasterscope_core::{
+    message::{Message, Value},
+    pipeline::Overlay,
+    scene::Scene,
+};
 
 /// Shows the header.
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, rect: Rect, scene: &Scene, view: &mut ViewState) {
@@ -27,12 +31,47 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, rect: Rect, scene: &Scene, view
     let end = at.x + galley.size().x;
     ui.painter().galley(at, galley, face.look.text);
     if image {
+        overlay(ui, face, &mut x, rect, view);
         let [width, height] = scene.size;
         let size =
             face.words.message(&Message::new("ui-image-size").with("width", width).with("height", height));
         let room = Rect::from_min_max(pos2(end + 10.0, rect.top()), pos2(x, rect.bottom()));
         text_in(ui.painter(), room, Align2::LEFT_CENTER, &size, face.look.font(Text::Body), face.look.dim);
     }
+}
+
+/// The choice of what lies on the image, to the left of `x`; moves `x` to its left.
+fn overlay(ui: &mut Ui, face: &Face<'_>, x: &mut f32, rect: Rect, view: &mut ViewState) {
+    let font = face.look.font(Text::Label);
+    let width = |overlay: &Overlay| {
+        let name = face.say(overlay.word());
+        ui.painter().layout_no_wrap(name, font.clone(), face.look.text).size().x
+    };
+    // As wide as its longest name, so that nothing moves.
+    let width = Overlay::ALL.iter().map(width).fold(0.0, f32::max) + 36.0;
+    let height = face.look.button_height();
+    let at = Rect::from_min_size(pos2(*x - width, rect.center().y - height / 2.0), vec2(width, height));
+    *x = at.left() - 10.0;
+    let label = face.say("ui-overlay");
+    let is = face.say_with("ui-overlay-is", "name", Value::Word(view.overlay.word()));
+    ui.scope_builder(UiBuilder::new().max_rect(at), |ui| {
+        let combo = ComboBox::from_id_salt("overlay")
+            .width(width)
+            .icon(down)
+            .selected_text(face.rich(face.say(view.overlay.word()), Text::Label))
+            .show_ui(ui, |ui| {
+                for (key, overlay) in Overlay::ALL.into_iter().enumerate() {
+                    let name = format!("{key}  {}", face.say(overlay.word()));
+                    ui.selectable_value(&mut view.overlay, overlay, name);
+                }
+            });
+        combo.response.widget_info(|| WidgetInfo::labeled(Part::ComboBox, true, &is));
+        combo.response.on_hover_text(&label);
+    });
+    let galley = ui.painter().layout_no_wrap(label, font, face.look.dim);
+    let start = pos2(*x - galley.size().x, rect.center().y - galley.size().y / 2.0);
+    *x = start.x - 10.0;
+    ui.painter().galley(start, galley, face.look.dim);
 }
 
 /// A button that stays pressed, to the left of `x`; moves `x` to its left.

@@ -5,7 +5,7 @@ use crate::{
     theme::Text,
 };
 use egui::{Align2, Context, EventFilter, Grid, Id, Key, KeyboardShortcut, Modifiers, Popup, Ui, Window};
-use rasterscope_core::explain::Level;
+use rasterscope_core::{explain::Level, pipeline::Overlay};
 
 /// One key, what it does, and the message that says so.
 type Shortcut = (KeyboardShortcut, Command, &'static str);
@@ -46,6 +46,14 @@ pub(crate) fn all() -> Vec<Shortcut> {
         (key(Key::C), Command::AskCompare, "ui-compare"),
         (ctrl(Key::PageDown), Command::Beside(1), "ui-key-next-algorithm"),
         (ctrl(Key::PageUp), Command::Beside(-1), "ui-key-last-algorithm"),
+        (key(Key::Num0), Command::Overlay(Overlay::None), "ui-key-overlay"),
+        (key(Key::Num1), Command::Overlay(Overlay::Depth), "ui-key-overlay"),
+        (key(Key::Num2), Command::Overlay(Overlay::Stencil), "ui-key-overlay"),
+        (key(Key::Num3), Command::Overlay(Overlay::Generated), "ui-key-overlay"),
+        (key(Key::Num4), Command::Overlay(Overlay::Written), "ui-key-overlay"),
+        (key(Key::Num5), Command::Overlay(Overlay::Wireframe), "ui-key-overlay"),
+        (key(Key::Num6), Command::Overlay(Overlay::Triangle), "ui-key-overlay"),
+        (key(Key::Num7), Command::Overlay(Overlay::Changed), "ui-key-overlay"),
         (key(Key::F), Command::Fit, "ui-key-fit"),
         (key(Key::F2), Command::Exact, "ui-key-exact"),
         (key(Key::F8), Command::NextTheme, "ui-key-theme"),
@@ -121,10 +129,18 @@ pub(crate) fn overlay(ui: &Ui, face: &Face<'_>) {
         .fixed_pos(centre);
     area.show(ui.ctx(), |ui| {
         Grid::new("keys").num_columns(2).spacing([24.0, 6.0]).show(ui, |ui| {
-            // One row says what all four do.
-            let pixel = |command: &Command| matches!(command, Command::MovePixel(by) if *by != [-1, 0]);
-            for (shortcut, _, name) in all().into_iter().filter(|(_, command, _)| !pixel(command)) {
-                ui.label(face.rich(text(ui.ctx(), &shortcut), Text::MonoStrong));
+            // One row says what all four do, and all eight.
+            let alike = |command: &Command| match command {
+                Command::MovePixel(by) => *by != [-1, 0],
+                Command::Overlay(overlay) => *overlay != Overlay::None,
+                _ => false,
+            };
+            for (shortcut, command, name) in all().into_iter().filter(|(_, command, _)| !alike(command)) {
+                let key = match command {
+                    Command::Overlay(_) => format!("0 … {}", Overlay::ALL.len() - 1),
+                    _ => text(ui.ctx(), &shortcut),
+                };
+                ui.label(face.rich(key, Text::MonoStrong));
                 ui.label(face.rich(face.say(name), Text::Label));
                 ui.end_row();
             }

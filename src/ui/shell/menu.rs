@@ -2,6 +2,7 @@
 
 use crate::{
     face::{Command, Face},
+    measure::Page,
     shell::Frame,
     theme::Text,
     widgets::{Icon, State, icon_button, text_in},
@@ -43,6 +44,11 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>) {
                 item(ui, face, "ui-edit-redo", "Ctrl+Y", frame.can_redo, Command::Redo);
             });
             view(ui, face, frame);
+            menu(ui, face, "measure-title", |ui| {
+                for page in Page::ALL {
+                    item(ui, face, page.word(), "", true, Command::Measure(page));
+                }
+            });
             menu(ui, face, "ui-menu-help", |ui| {
                 item(ui, face, "ui-help-hints", "", true, Command::Hints);
                 item(ui, face, "ui-palette", "Ctrl+K", true, Command::Palette);

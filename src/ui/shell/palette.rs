@@ -5,6 +5,7 @@ use crate::{
     commands::TEXT_SIZES,
     document::Palette,
     face::{Command, Face},
+    measure::Page,
     theme::Text,
     widgets::{row, text_in},
 };
@@ -35,13 +36,22 @@ fn all(ui: &Ui, face: &Face<'_>, frame: &Frame<'_>) -> Vec<Entry> {
         // Escape closes the palette itself; a command with two keys stands here once.
         let twice = out.iter().any(|entry| entry.command == command);
         if !twice && !matches!(command, Command::Escape | Command::Palette) {
-            out.push(Entry { name: face.say(name), key: keys::text(ui.ctx(), &shortcut), command });
+            let name = match command {
+                Command::Overlay(overlay) => {
+                    face.say_with("ui-palette-overlay", "name", Value::Word(overlay.word()))
+                }
+                _ => face.say(name),
+            };
+            out.push(Entry { name, key: keys::text(ui.ctx(), &shortcut), command });
         }
     }
     let mut add = |name: String, command| out.push(Entry { name, key: String::new(), command });
     let of = |id, name: String| face.words.message(&Message::new(id).with("name", Value::text(name)));
     for (name, command) in menu::WITHOUT_KEY {
         add(face.say(name), command);
+    }
+    for page in Page::ALL {
+        add(of("measure-palette", face.say(page.word())), Command::Measure(page));
     }
     for theme in ThemeName::ALL {
         add(of("ui-palette-theme", face.say(menu::theme_message(theme))), Command::Theme(theme));

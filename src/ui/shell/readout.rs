@@ -51,7 +51,7 @@ pub(super) fn readout(
     } else if let Some(value) = value_at(drawing.marks, pixel) {
         line = format!("{line}  {}", face.say_with("ui-readout-value", "value", value));
     }
-    let legend = drawing.marks.iter().any(|mark| matches!(mark, Mark::Key { .. }));
+    let legend = drawing.marks.iter().any(|mark| matches!(mark, Mark::Key { .. } | Mark::Ramp { .. }));
     foot(ui, face, plane.rect, &line, legend);
     Some(pixel)
 }

@@ -8,6 +8,7 @@ mod heavy;
 mod keeping;
 mod keys;
 mod labs;
+mod measure;
 mod painter;
 mod pictures;
 mod pixel;
@@ -15,11 +16,12 @@ mod reach;
 mod source;
 mod split;
 
-use crate::{App, Platform, Purpose, Reader, theme};
+use crate::{App, Clock, Platform, Purpose, Reader, theme};
 use egui::{Rect, vec2};
 use egui_kittest::{Harness, kittest::Queryable as _};
 use painter::CpuPainter;
-use std::{collections::BTreeMap, io};
+use rasterscope_measure::Machine;
+use std::{cell::Cell, collections::BTreeMap, io};
 
 /// Files in memory.
 #[derive(Default)]
@@ -85,6 +87,27 @@ impl Platform for Memory {
         self.waiting.push(work);
         if !self.lazy {
             self.work();
+        }
+    }
+
+    /// Each look at it is a microsecond later: measurements are the same every time.
+    fn clock(&mut self) -> Clock {
+        let looks = Cell::new(0);
+        Box::new(move || {
+            looks.set(looks.get() + 1);
+            f64::from(looks.get()) * 1e-6
+        })
+    }
+
+    fn machine(&mut self) -> Machine {
+        Machine {
+            processor: "A test".to_owned(),
+            processors: 1,
+            system: "memory",
+            architecture: "none",
+            version: "1",
+            build: "debug",
+            vectors: "none",
         }
     }
 }

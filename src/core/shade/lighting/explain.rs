@@ -21,14 +21,14 @@ impl Explain for Snapshot {
         "both sides are lit and n·v < 0: n ← −n",
         "ambient ← ka",
         "l ← (L − P) / |L − P|",
-        "f ← i / (c0 + c1 d + c2 d²), d ← |L − P|",
+        "f ← i / (c0 + c1 d + c2 d²)",
         "n·l",
-        "n·l ≤ 0: the light is behind; no more terms",
+        "n·l ≤ 0: behind the surface; no more",
         "diffuse ← f kd (n·l)",
-        "Phong: r ← 2 (n·l) n − l;  c ← max(r·v, 0)",
-        "Blinn: h ← (l + v) / |l + v|;  c ← max(n·h, 0)",
+        "r ← 2 (n·l) n − l;  c ← max(r·v, 0)",
+        "h ← (l+v) / |l+v|;  c ← max(n·h, 0)",
         "specular ← f ks c^s",
-        "I ← ambient + diffuse + specular, at most 1",
+        "I ← ambient + diffuse + specular ≤ 1",
     ];
 
     fn line(event: &Event) -> usize {

@@ -154,6 +154,6 @@ impl Snapshot {
             numbers.push(Piece::Number(term.into()));
         }
         numbers.extend([Piece::Text(" = "), Piece::Result(value.into())]);
-        Some(Formula { general: "I = min(ambient + diffuse + specular, 1)", numbers })
+        Some(Formula { general: "I = ambient + diffuse + specular ≤ 1", numbers })
     }
 }

@@ -43,7 +43,7 @@ impl Snapshot {
         }
         if let Some(pixel) = self.pixel {
             let role = if self.hidden { Role::Rejected } else { Role::Active };
-            let value = self.output.map_or(Value::None, |(_, value)| value.into());
+            let value = self.output.map_or(Value::None, |(_, value)| hundredths(value));
             out.push(Mark::Pixel { at: pixel.map(|n| n as i32), role, object: None, value });
         }
     }
@@ -61,7 +61,7 @@ impl Snapshot {
             for pixel in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
                 if let Some(shown) = self.image.at(pixel) {
                     let at = pixel.map(|n| n as i32);
-                    let value = shown.value.into();
+                    let value = hundredths(shown.value);
                     out.push(Mark::Pixel { at, role: Role::Neutral, object: None, value });
                 }
             }
@@ -104,6 +104,11 @@ impl Snapshot {
             out.push(Mark::Point { at, role, label });
         }
     }
+}
+
+/// A brightness as its cell has room for it; the tables have all digits.
+fn hundredths(value: f32) -> Value {
+    ((value * 100.0).round() / 100.0).into()
 }
 
 /// The largest side of the box around an object in world space.

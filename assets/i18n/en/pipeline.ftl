@@ -86,7 +86,6 @@ pipeline-pixel-why-lost-tie = The pixel is clear: its centre lies on an edge of 
 pipeline-pixel-why-cut-off = The pixel is clear: the { $plane } plane cut off what { $name } would show here.
 pipeline-pixel-why-back-facing = The pixel is clear: { $name } would cover it, but is culled, as it shows its back.
 pipeline-pixel-why-front-facing = The pixel is clear: { $name } would cover it, but is culled, as it shows its front.
-pipeline-pixel-clear = No triangle drew this pixel: it shows the clear colour.
 
 pipeline-overlay-none = nothing
 pipeline-overlay-depth = depth

@@ -56,7 +56,12 @@ fn number(value: f32) -> BigInt {
 }
 
 /// WebGPU's factors, section 23.2.8.
-fn factor(factor: BlendFactor, source: &[BigInt; 4], stored: &[BigInt; 4], channel: usize) -> BigInt {
+fn factor(
+    (factor, constant): (BlendFactor, &[BigInt; 4]),
+    source: &[BigInt; 4],
+    stored: &[BigInt; 4],
+    channel: usize,
+) -> BigInt {
     match factor.name() {
         "zero" => BigInt::from(0),
         "one" => unit(),
@@ -70,17 +75,20 @@ fn factor(factor: BlendFactor, source: &[BigInt; 4], stored: &[BigInt; 4], chann
         "one-minus-dst-alpha" => unit() - &stored[3],
         "src-alpha-saturated" if channel == 3 => unit(),
         "src-alpha-saturated" => source[3].clone().min(unit() - &stored[3]),
+        "constant" => constant[channel].clone(),
+        "one-minus-constant" => unit() - &constant[channel],
         other => panic!("WebGPU has no {other}"),
     }
 }
 
 /// The code of one channel without a rounding before the last: products are multiples of the unit squared.
 fn oracle(state: &BlendState, color: [f32; 4], stored: [u8; 4], channel: usize) -> u8 {
-    let source = color.map(number);
+    let (source, constant) = (color.map(number), state.constant.map(number));
     let stored = stored.map(|code| BigInt::from(code) << 149);
     let BlendComponent { src_factor, dst_factor, operation } = *state.component(channel);
     let (new, old) = (&source[channel], &stored[channel]);
-    let [fs, fd] = [src_factor, dst_factor].map(|which| factor(which, &source, &stored, channel));
+    let [fs, fd] =
+        [src_factor, dst_factor].map(|which| factor((which, &constant), &source, &stored, channel));
     let result = match operation.name() {
         "add" => new * fs + old * fd,
         "subtract" => new * fs - old * fd,
@@ -112,7 +120,8 @@ fn any_state(random: &mut Random) -> BlendState {
         dst_factor: random.pick(&BlendFactor::ALL),
         operation: random.pick(&BlendOperation::ALL),
     };
-    BlendState { color: component(), alpha: component() }
+    let [color, alpha] = [component(), component()];
+    BlendState { color, alpha, constant: any_color(random) }
 }
 
 fn any_layers(random: &mut Random) -> (Vec<Layer>, Settings) {
@@ -234,6 +243,8 @@ fn presets_are_what_they_say() {
         let [drawn, reversed] = end(name);
         assert_eq!(drawn, reversed, "{name}");
     }
+    let [color, _] = end("blend-constant");
+    assert_eq!(color, [77, 115, 178, 255], "a quarter of the way from the first picture to the second");
     let [color, _] = end("blend-additive");
     assert_eq!(color[0], 255, "red is clamped");
     let [color, _] = end("blend-premultiplied");

@@ -29,9 +29,8 @@ pub(crate) fn folder(name: &str) -> PathBuf {
 
 /// A file of its own with these contents.
 pub(crate) fn file(folder: &Path, name: &str, contents: impl AsRef<[u8]>) -> PathBuf {
-    let path = folder.join(name);
-    fs::write(&path, contents).expect("a file can be written");
-    path
+    fs::write(folder.join(name), contents).expect("a file can be written");
+    folder.join(name)
 }
 
 fn traced(algorithm: &str, file: &Path, format: TraceFormat) -> Result<String, Failure> {
@@ -364,7 +363,7 @@ fn a_file_is_replaced_as_its_owner_wants() {
     symlink("new.svg", &dangling).expect("a link can be made");
     for path in [&link, &dangling] {
         picture("cohen-sutherland", &line, None, path).expect("it is drawn");
-        assert!(path.is_symlink());
+        assert!(path.is_symlink(), "{path:?}");
         assert!(fs::read_to_string(path).expect("it is there").starts_with("<svg "));
     }
     assert_eq!(mode(&private), 0o600);
@@ -375,11 +374,10 @@ fn a_file_is_replaced_as_its_owner_wants() {
 fn what_is_in_the_way_of_output_is_named() {
     let folder = folder("in-the-way");
     let line = file(&folder, "line.json", LINE);
-    let missing = folder.join("missing");
-    let failure = picture("cohen-sutherland", &line, None, &missing.join("a.svg")).expect_err("no folder");
+    let missing = folder.join("missing/a.svg");
+    let failure = picture("cohen-sutherland", &line, None, &missing).expect_err("no folder");
     assert!(sentence(&failure).contains("missing does not exist"), "{failure}");
-    let options = TourOptions { file: None, output: line };
-    let failure = tour(&options, None).expect_err("a file is no folder");
+    let failure = tour(&TourOptions { file: None, output: line }, None).expect_err("a file is no folder");
     assert!(sentence(&failure).contains("in the way"), "{failure}");
 }
 
@@ -396,7 +394,7 @@ fn a_scene_that_leaves_the_range_of_binary32_is_refused_by_name() {
         let failure = open_scene(Some(&file(&folder, "scene.json", contents))).expect_err("out of range");
         assert!(sentence(&failure).contains(&format!("scene.json: {place}: ")), "{failure}");
     }
-    for preset in PRESETS {
-        open_scene(Some(Path::new(preset.name))).expect("presets stay in range");
-    }
+    PRESETS
+        .iter()
+        .for_each(|preset| drop(open_scene(Some(Path::new(preset.name))).expect("it stays in range")));
 }

@@ -4,7 +4,9 @@
 use rasterscope_core::{
     explain::Tone,
     message::Value,
-    pipeline::{Changed, Frame, Layer, Outcome, Overlay, Pipeline, PixelCounts, Skips, Wires, pixel_history},
+    pipeline::{
+        Changed, Frame, Layer, Outcome, Overlay, Pipeline, PixelCounts, Reason, Skips, Wires, pixel_history,
+    },
     raster::{Algorithm, FillRule},
     scene::{Draw, Geometry, Mesh, PRESETS, Scene},
     stage::Stage,
@@ -74,7 +76,8 @@ fn counts_are_those_of_the_statistics_with_any_skips() {
         let stats = drawn(&scene).outputs().frame.stats;
         let sum = |counts: &[u32]| counts.iter().map(|n| u64::from(*n)).sum::<u64>();
         let of = |stage| stats.stage(stage).went;
-        let expected = [of(Stage::Fragments), of(Stage::Blend), of(Stage::Image)];
+        let discarded = stats.stage(Stage::Fragments).dropped(Reason::Discarded);
+        let expected = [of(Stage::Fragments) + discarded, of(Stage::Blend), of(Stage::Image)];
         let once = counts[0].written.iter().filter(|n| **n > 0).count() as u64;
         assert_eq!([sum(&counts[0].generated), sum(&counts[0].written), once], expected, "{name}");
     }

@@ -2,15 +2,15 @@
 
 use crate::support::Random;
 use rasterscope_core::{
-    blend::{BlendComponent, BlendFactor, BlendOperation, BlendState},
+    blend::{AlphaTest, BlendComponent, BlendFactor, BlendOperation, BlendState},
     cull::{CullMode, Facing, FrontFace},
-    depth::{CompareFunction, DepthFormat, DepthState},
+    depth::{CompareFunction, DepthBias, DepthFormat, DepthPlacement, DepthState},
     labs::Stage,
     pipeline::{
         Bounding, DrawRuns, Frame, Outcome, Pipeline, Rasterizer, Reason, Skip, Skips, pixel_history,
         pixel_history_of, render,
     },
-    raster::{Algorithm, FillRule, YAxis},
+    raster::{Algorithm, FillRule, Scissor, YAxis},
     scene::{Draw, Geometry, Mesh, PRESETS, Scene, Shade, Texture, Transform},
     stencil::{StencilOperation, StencilState},
     transform::DepthRange,
@@ -126,6 +126,13 @@ pub(crate) fn random_scene(random: &mut Random) -> Scene {
             compare: random.pick(&CompareFunction::ALL),
             write: random.below(4) > 0,
         };
+        let reference = random.pick(&[0.0, 0.5, 0.75]);
+        let compare = random.pick(&CompareFunction::ALL);
+        draw.alpha_test = (random.below(3) == 0).then_some(AlphaTest { compare, reference });
+        draw.scissor = (random.below(4) == 0).then(|| Scissor::from([0; 4].map(|_| random.below(25))));
+        let bias =
+            DepthBias { constant: random.pick(&[0, 0, -4]), slope: random.pick(&[0.0, 2.0]), clamp: 0.0 };
+        draw.placement = DepthPlacement { bias, unclipped: random.below(4) == 0 };
         draw.stencil = (random.below(3) == 0).then(|| StencilState {
             compare: random.pick(&CompareFunction::ALL),
             fail_op: random.pick(&StencilOperation::ALL),
@@ -137,11 +144,11 @@ pub(crate) fn random_scene(random: &mut Random) -> Scene {
         });
         draw.blend = (random.below(3) == 0).then(|| {
             let component = BlendComponent {
-                src_factor: random.pick(&[BlendFactor::SrcAlpha, BlendFactor::One, BlendFactor::Dst]),
+                src_factor: random.pick(&[BlendFactor::SrcAlpha, BlendFactor::Constant, BlendFactor::Dst]),
                 dst_factor: random.pick(&[BlendFactor::OneMinusSrcAlpha, BlendFactor::One]),
                 operation: random.pick(&[BlendOperation::Add, BlendOperation::Max]),
             };
-            BlendState { color: component, alpha: component }
+            BlendState { color: component, alpha: component, constant: [0.5, 0.25, 0.0, 1.0] }
         });
         draw.texture = (random.below(3) == 0).then_some(Texture::Checker { squares: 4 });
         draw.shade = random.pick(&Shade::ALL);

@@ -2,10 +2,15 @@
 
 use crate::presets::scene;
 use rasterscope_core::{
+    clip::polygon::Plane,
+    labs,
     message::{Message, Value},
-    pipeline::{Skips, pixel_history_of, render},
-    scene::PRESETS,
+    pipeline::{Outcome, Skips, pixel_history_of, render},
+    replay::Budget,
+    scene::{Draw, Geometry, Lab, Mesh, PRESETS, Scene},
+    transform::Projection,
 };
+use std::sync::Arc;
 
 fn argument<'m>(message: &'m Message, name: &str) -> &'m Value {
     &message.args.iter().find(|(key, _)| *key == name).unwrap_or_else(|| panic!("{message:?}: no {name}")).1
@@ -68,4 +73,92 @@ fn histories_end_with_the_image() {
             );
         }
     }
+}
+
+/// Seen from straight above, 3 wide and 2 high: beyond its corner lie triangles that no plane alone excludes.
+fn beyond_the_corner(corners: [[f32; 2]; 3]) -> Scene {
+    let positions = corners.map(|[x, y]| [x, y, 0.0]).to_vec();
+    let mut scene = Scene::empty([24, 16]);
+    scene.camera.projection = Projection::Orthographic { height: 2.0 };
+    scene.draws = vec![Draw::new("A", Geometry::Mesh(Arc::new(Mesh::soup(positions, [1.0; 4]))))];
+    scene
+}
+
+#[test]
+fn what_several_planes_remove_together_names_the_last_and_the_others() {
+    for (mirror, last, others) in [
+        ([1.0, 1.0], Plane::Top, [Plane::Right]),
+        ([-1.0, 1.0], Plane::Top, [Plane::Left]),
+        ([1.0, -1.0], Plane::Bottom, [Plane::Right]),
+        ([-1.0, -1.0], Plane::Bottom, [Plane::Left]),
+    ] {
+        let [x, y] = mirror;
+        let corners = [[1.2, 1.4], [1.9, 0.7], [1.9, 1.4]].map(|[a, b]: [f32; 2]| [a * x, b * y]);
+        let [a, b, c] = corners;
+        let mut scene = beyond_the_corner(if x * y > 0.0 { [a, b, c] } else { [a, c, b] });
+        scene.draws[0].cull = rasterscope_core::cull::CullMode::None;
+        let history = pixel_history_of(&scene, [0, 0]);
+        let Outcome::ClippedAway(removed) = history.entries[0].outcome else {
+            panic!("{:?}", history.entries[0].outcome)
+        };
+        assert_eq!((removed.last, removed.others.iter().collect::<Vec<_>>()), (Some(last), others.to_vec()));
+        assert_eq!(history.entries[0].details(&scene).len(), 1);
+    }
+}
+
+#[test]
+fn one_sentence_says_why_a_pixel_is_black() {
+    let at = |name: &str, pixel| pixel_history_of(&scene(name), pixel).sentence().id;
+    assert_eq!(at("two-through-each-other", [13, 11]), "pipeline-pixel-drawn");
+    assert_eq!(at("two-through-each-other", [0, 0]), "pipeline-pixel-why-nothing");
+    assert_eq!(at("stencil-mask", [3, 11]), "pipeline-pixel-why-stencil");
+    assert_eq!(at("depth-unclipped", [5, 17]), "pipeline-pixel-why-cut-off");
+    let mut scene = scene("two-through-each-other");
+    scene.clear.depth = 0.0;
+    assert_eq!(pixel_history_of(&scene, [13, 11]).sentence().id, "pipeline-pixel-why-depth");
+    scene.draws.truncate(1);
+    scene.draws[0].cull = rasterscope_core::cull::CullMode::Front;
+    assert_eq!(pixel_history_of(&scene, [13, 11]).sentence().id, "pipeline-pixel-why-front-facing");
+    let mut black = beyond_the_corner([[-1.0, -1.0], [1.0, -1.0], [0.0, 1.0]]);
+    if let Geometry::Mesh(mesh) = &mut black.draws[0].geometry {
+        Arc::make_mut(mesh).colors = vec![[0.0, 0.0, 0.0, 1.0]; 3];
+    }
+    assert_eq!(pixel_history_of(&black, [12, 10]).sentence().id, "pipeline-pixel-why-own-black");
+}
+
+/// Every row of every history leads to a lab that opens on the scene and runs.
+#[test]
+fn every_entry_has_a_lab_that_runs() {
+    let mut seen = std::collections::BTreeSet::new();
+    for preset in PRESETS {
+        let scene = scene(preset.name);
+        if scene.draws.is_empty() || scene.size[0] > 40 || scene.samples > 1 {
+            continue;
+        }
+        for pixel in [[13, 11], [3, 5], [20, 14]] {
+            let pixel = [0, 1].map(|axis| pixel[axis] % scene.size[axis]);
+            for entry in &pixel_history_of(&scene, pixel).entries {
+                let mut scene = scene.clone();
+                let input = labs::lab_of(entry, &scene);
+                seen.insert(input.name());
+                scene.lab = Some(Lab::new(input));
+                assert_eq!(scene.validate(), Ok(()), "{}: {entry:?}", preset.name);
+                let run = labs::play(&scene, Budget::default());
+                assert!(run.is_ok_and(|run| !run.is_empty()), "{}: {entry:?}", preset.name);
+            }
+        }
+    }
+    assert!(seen.len() >= 4, "{seen:?}");
+}
+
+#[test]
+fn a_blended_fragment_says_its_numbers() {
+    let scene = scene("order-of-blending");
+    let history = pixel_history_of(&scene, [9, 11]);
+    let last = history.entries.iter().rfind(|entry| entry.is_fragment()).expect("two layers");
+    let details = last.details(&scene);
+    let lines: Vec<_> = details.iter().filter(|line| line.id == "pipeline-pixel-blend-add").collect();
+    assert_eq!(lines.len(), 4, "{details:?}");
+    assert_eq!(argument(lines[0], "source-factor"), &Value::F64(0.5), "alpha of the source");
+    assert_eq!(argument(lines[0], "stored"), &Value::F64(39.0 / 255.0));
 }

@@ -6,13 +6,14 @@ use crate::{
     support::{Coverage, Random, check_golden, check_laws, covered, log_text, plane_code},
 };
 use rasterscope_core::{
+    blend::AlphaTest,
     compare::Subject,
-    depth::{CompareFunction, DepthFormat, DepthState, z_buffer::Triangle},
+    depth::{CompareFunction, Cutout, DepthFormat, DepthState, Rules, z_buffer::Triangle},
     labs::{self, LabInput, Stencil},
     math::Tally,
     message::Value,
     pipeline::{Skips, enlarged_triangles, render, screen_triangles},
-    raster::{self, Algorithm},
+    raster::{self, Algorithm, Scissor},
     replay::Budget,
     scene::{Lab, PRESETS, Scene},
     stencil::{
@@ -141,6 +142,7 @@ fn plain(name: &str, triangles: Vec<Triangle>, stencil: Option<StencilState>) ->
     Draw {
         name: name.into(),
         triangles,
+        rules: Vec::new(),
         enlarged: None,
         depth: DepthState::default(),
         stencil,
@@ -278,6 +280,12 @@ fn keeps_the_laws() {
             let enlarge = rasterscope_core::stencil::Enlarge { way: random.pick(&Way::ALL), amount: 2.0 };
             draws[2].enlarged = Some((enlarge, before));
         }
+        if round % 2 == 0 {
+            let test = AlphaTest { compare: random.pick(&CompareFunction::ALL), reference: 0.5 };
+            let cutout = Some(Cutout { test, alpha: [0.0, 1.0, random.pick(&[0.0, 1.0])], r: [1.0; 3] });
+            let scissor = Some(Scissor::from([1, 1, 4, 3]));
+            draws[1].rules = vec![Rules { cutout, scissor, ..Rules::default() }; 2];
+        }
         let fast = stencil_test::draw(&draws, &settings);
         let (traced, events) = run(&draws, &settings);
         check_laws(
@@ -383,10 +391,7 @@ fn presets_show_what_they_say() {
     assert!(count("stencil-mirror", 1) > 50);
     let objects = |name: &str| {
         let shown = shown(&scene(name)).into_values().map(|(object, _)| object);
-        let mut names: Vec<_> = shown.map(|value| format!("{value:?}")).collect();
-        names.sort();
-        names.dedup();
-        names.len()
+        shown.map(|value| format!("{value:?}")).collect::<BTreeSet<_>>().len()
     };
     assert_eq!(objects("stencil-keyhole"), 4, "three draws, and pixels that none of them got");
     assert_eq!(objects("stencil-outlines-overlap"), 4);

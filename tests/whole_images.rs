@@ -2,6 +2,7 @@
 
 use crate::{pipeline::random_scene, support::Random};
 use rasterscope_core::{
+    engine::{Canvas, Clear, Colors, Engine, Lanes, State, Stencil, Threads, Triangles},
     labs::Stage,
     pipeline::{Frame, Pipeline, Rasterizer, Reason, Skip, Skips},
     raster::Algorithm,
@@ -95,4 +96,35 @@ fn what_is_hidden_is_counted_and_costs_no_colour() {
     let redrawn = frame.stats.stage(Stage::Image).dropped(Reason::Redrawn);
     assert!(redrawn > 20_000, "{redrawn}");
     assert_eq!(frame.stats.skipped(Skip::Deferred), redrawn);
+}
+
+/// Whatever draws: each vector unit of this machine, and 1, 2 and 7 threads.
+#[test]
+fn no_number_of_threads_and_no_vector_unit_changes_a_byte() {
+    let mut random = Random::new(22);
+    let mut triangles = Vec::new();
+    for _ in 0..3000 {
+        let [x, y] = [random.uniform(-20.0, 300.0), random.uniform(-20.0, 500.0)];
+        let reach = random.pick(&[2.0, 6.0, 30.0]);
+        let corner = |random: &mut Random| {
+            let [x, y] = [x, y].map(|at| at + random.uniform(-reach, reach));
+            [x, y, random.uniform(0.0, 1.0)]
+        };
+        triangles.extend([corner(&mut random), corner(&mut random), corner(&mut random)]);
+    }
+    let colors: Vec<_> = (0..3000_u32).map(u32::to_ne_bytes).collect();
+    let input = Triangles { positions: &triangles, indices: None, colors: Colors::Each(&colors) };
+    let draw = |lanes, threads| {
+        let mut canvas = Canvas::new([290, 470], Clear::default(), Stencil::Without);
+        let state = State { lanes, threads: Threads::new(threads), ..State::default() };
+        let stats = Engine::default().draw(&mut canvas, Some(Clear::default()), &input, &state);
+        (canvas.color().to_vec(), canvas.depth().to_vec(), stats)
+    };
+    let expected = draw(Lanes::widest(), 1);
+    assert!(expected.2.hidden > 100, "{:?}", expected.2);
+    for lanes in Lanes::all() {
+        for threads in [1, 2, 7] {
+            assert!(draw(lanes, threads) == expected, "{}, {threads} threads", lanes.name());
+        }
+    }
 }

@@ -2,15 +2,17 @@
 
 use crate::support::{Coverage, Random, check_golden, check_laws, covered, log_text, plane_code};
 use rasterscope_core::{
+    blend::AlphaTest,
     depth::{
-        CompareFunction, DepthFormat, DepthState,
+        CompareFunction, Cutout, DepthBias, DepthFormat, DepthPlacement, DepthState, Rules,
         z_buffer::{self, Event, Image, Settings, Snapshot, Triangle},
     },
     explain::{Level, Mark},
     math::{Arithmetic, Tally},
     message::Value,
-    raster::Algorithm,
+    raster::{Algorithm, Scissor},
     replay::{Budget, Playback},
+    trace::NoTrace,
 };
 
 /// The picture in LOOK: B goes through A.
@@ -111,6 +113,31 @@ fn any_triangle(random: &mut Random) -> Triangle {
     [0; 3].map(|_| [coordinate(9.0), coordinate(7.0), coordinate(16.0) / 16.0])
 }
 
+fn any_rules(random: &mut Random) -> Rules {
+    let test = AlphaTest { compare: random.pick(&CompareFunction::ALL), reference: 0.5 };
+    let cutout = Cutout { test, alpha: [0; 3].map(|_| random.pick(&[0.0, 0.25, 1.0])), r: [1.0, 0.5, 1.0] };
+    let bias = DepthBias { constant: random.pick(&[0, 0, -9]), slope: random.pick(&[0.0, -2.0]), clamp: 0.0 };
+    Rules {
+        placement: DepthPlacement { bias, unclipped: random.below(3) == 0 },
+        scissor: (random.below(2) == 0).then(|| Scissor::from([0; 4].map(|_| random.below(7)))),
+        cutout: (random.below(2) == 0).then_some(cutout),
+    }
+}
+
+#[test]
+fn a_leaf_with_a_hole_step_by_step() {
+    let test = AlphaTest { reference: 0.8, ..AlphaTest::default() };
+    let cutout = Cutout { test, alpha: [1.0, 0.0, 1.0], r: [1.0; 3] };
+    let leaf = Rules { cutout: Some(cutout), scissor: Some(Scissor::from([2, 2, 3, 3])), ..Rules::default() };
+    for (name, early_z) in [("early", true), ("late", false)] {
+        let settings = Settings { early_z, ..Settings::new([8, 7]) };
+        let mut events = Vec::new();
+        let rules = [Rules::default(), leaf];
+        z_buffer::draw_ruled_traced(&[A, B], &rules, &settings, &mut Tally::default(), &mut events);
+        check_golden(&format!("z_buffer/{name}"), &log_text(&events));
+    }
+}
+
 #[test]
 fn keeps_the_laws() {
     let mut random = Random::new(32);
@@ -128,13 +155,23 @@ fn keeps_the_laws() {
             ..Settings::new([9, 7])
         };
         settings.raster.arithmetic = random.pick(&Arithmetic::ALL);
+        settings.early_z = random.below(2) == 0;
         let triangles: Vec<Triangle> = (0..3).map(|_| any_triangle(&mut random)).collect();
-        let fast = z_buffer::draw(&triangles, &settings);
-        let (traced, events) = run(&triangles, &settings);
+        let rules: Vec<Rules> = (0..random.below(4)).map(|_| any_rules(&mut random)).collect();
+        let mut tally = Tally::default();
+        let fast = z_buffer::draw_ruled_traced(&triangles, &rules, &settings, &mut tally, &mut NoTrace);
+        if rules.is_empty() {
+            assert_eq!(z_buffer::draw(&triangles, &settings), fast);
+        }
+        let mut events = Vec::new();
+        let traced = z_buffer::draw_ruled_traced(&triangles, &rules, &settings, &mut tally, &mut events);
+        let other = Settings { early_z: !settings.early_z, ..settings };
+        let late = z_buffer::draw_ruled_traced(&triangles, &rules, &other, &mut tally, &mut NoTrace);
+        assert_eq!(late, fast, "early z changes nothing");
         check_laws(
             (&fast, &traced),
             &events,
-            |budget| z_buffer::play(triangles.clone(), Vec::new(), settings, budget),
+            |budget| z_buffer::play_ruled(triangles.clone(), rules.clone(), Vec::new(), settings, budget),
             |state: &Snapshot| state.result().clone(),
             &mut coverage,
         );

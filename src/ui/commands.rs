@@ -6,6 +6,7 @@ use crate::{
     face::Command,
     files,
     opening::When,
+    overview::Entry,
     platform::{Platform, Purpose},
     recent,
     shell::notice::Notice,
@@ -14,6 +15,7 @@ use crate::{
 use egui::Context;
 use rasterscope_core::{
     compare::Setting,
+    labs,
     message::{Message, Value},
     scene,
 };
@@ -43,7 +45,7 @@ impl App {
             Command::Begin => self.seek(|app| app.run.seek(0)),
             Command::End => self.seek(|app| app.run.seek(usize::MAX)),
             Command::ToLine(line) => self.seek(|app| app.run.seek_line(line)),
-            Command::ToFragment(index) => self.step_to_fragment(index),
+            Command::ToEntry(index) => self.go_to_entry(index),
             Command::Pixel(pixel) => self.choose_pixel(pixel),
             Command::MovePixel(by) => {
                 let [width, height] = self.document.scene.size;
@@ -155,16 +157,31 @@ impl App {
         self.view.tab = Tab::Pixel;
     }
 
-    /// Goes to the verdict on a fragment of the chosen pixel, if the run has as many fragments there as
-    /// the history: a lab may run something else than the scene.
-    fn step_to_fragment(&mut self, index: usize) {
+    /// Goes to the step that decided about an entry of the chosen pixel's history; if the open lab has no
+    /// such step, opens the one that has, about that triangle.
+    fn go_to_entry(&mut self, index: usize) {
         let Some(pixel) = self.view.pixel else { return };
         let words = Rc::clone(&self.words);
         let Some(history) = self.overview.history(pixel, &words) else { return };
-        let steps = self.run.fragments_at(pixel);
-        let fragments = history.entries.iter().filter(|entry| entry.fragment).count();
-        if let (true, Some(step)) = (fragments == steps.len(), steps.get(index)) {
-            self.seek(|app| app.run.seek(*step));
+        let Some(entry) = history.entries.get(index) else { return };
+        // Of a lab that runs something else than the scene the number of fragments differs.
+        let before = |all: &[Entry]| all.iter().filter(|entry| entry.fragment).count();
+        let (nth, all) = (before(&history.entries[..index]), before(&history.entries));
+        let step = |app: &Self| {
+            let steps = app.run.fragments_at(pixel);
+            steps.get(nth).copied().filter(|_| entry.fragment && steps.len() == all)
+        };
+        if step(self).is_none() {
+            let input = labs::lab_of(&entry.of, &self.document.scene);
+            self.edit(|document| document.show_lab(input));
+            self.view.due = None;
+            self.canvas.fit();
+            self.view.outside = None;
+            self.start_anew(None);
+        }
+        match step(self) {
+            Some(step) => self.seek(|app| app.run.seek(step)),
+            None => self.view.tab = Tab::Step,
         }
     }
 

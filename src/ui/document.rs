@@ -92,11 +92,22 @@ impl Document {
         if self.input().name() == name {
             return;
         }
+        self.keep_input();
+        let known = self.others.iter().rev().find_map(|other| other.carried(name));
+        self.scene.lab = Some(Lab::new(known.unwrap_or_else(first)));
+    }
+
+    /// Opens a lab with these inputs.
+    pub(crate) fn show_lab(&mut self, input: LabInput) {
+        self.keep_input();
+        self.scene.lab = Some(Lab::new(input));
+    }
+
+    /// Keeps the inputs of the lab that is open, for when it is opened again.
+    fn keep_input(&mut self) {
         let old = self.input().clone();
         self.others.retain(|other| other.name() != old.name());
         self.others.push(old);
-        let known = self.others.iter().rev().find_map(|other| other.carried(name));
-        self.scene.lab = Some(Lab::new(known.unwrap_or_else(first)));
     }
 }
 

@@ -33,7 +33,7 @@ pub(crate) enum Command {
     /// Go to the next execution of a listing line.
     ToLine(usize),
     /// Go to the verdict on a fragment of the chosen pixel, counted from 0.
-    ToFragment(usize),
+    ToEntry(usize),
     /// Choose a pixel.
     Pixel([u32; 2]),
     /// Choose the pixel so many columns and rows on.

@@ -10,6 +10,8 @@ pipeline-reason-front-face = front-facing
 pipeline-reason-degenerate = degenerate
 pipeline-reason-clipped = clipped away
 pipeline-reason-carried = of culled triangles
+pipeline-reason-scissor = outside the scissor
+pipeline-reason-discarded = discarded
 pipeline-reason-stencil = masked
 pipeline-reason-depth = behind
 pipeline-reason-redrawn = redrawn
@@ -31,11 +33,14 @@ pipeline-pixel-outside = outside the frustum: { $plane } plane
 pipeline-pixel-back-facing = culled: back-facing
 pipeline-pixel-front-facing = culled: front-facing
 pipeline-pixel-degenerate = degenerate: no area
-pipeline-pixel-clipped-away = clipped away
+pipeline-pixel-clipped-away = clipped away: { $plane } plane
+pipeline-pixel-rounded-away = no area is left after clipping
 pipeline-pixel-cut-off = clipped by the { $plane } plane
 pipeline-pixel-zero-area = no area on the screen
 pipeline-pixel-outside-edge = outside an edge
 pipeline-pixel-lost-tie = on an edge: the neighbour draws it
+pipeline-pixel-scissored = outside the scissor rectangle
+pipeline-pixel-discarded = discarded by the alpha test
 pipeline-pixel-stencil = stencil test failed
 pipeline-pixel-depth = depth test failed
 
@@ -43,6 +48,15 @@ pipeline-pixel-would-cover = Its edges would contain this centre.
 pipeline-pixel-edge-value = { $edge }(centre) = { $value } < 0
 pipeline-pixel-on-edge = { $edge }(centre) = 0
 pipeline-pixel-determinant = det (x, y, w) = { $value }
+pipeline-pixel-cut-before = The { $plane } plane had cut it before.
+pipeline-pixel-scissor = { $left } ≤ x < { $right }, { $top } ≤ y < { $bottom }
+pipeline-pixel-alpha = alpha { $alpha } { $compare } { $reference }
+pipeline-pixel-alpha-never = alpha { $alpha }: never kept
+pipeline-pixel-early-test = Early z may test it before its alpha is known, but not write it.
+pipeline-pixel-early-never = No early z: failing would change the stencil, so all waits for its alpha.
+pipeline-pixel-biased = depth { $plane } + bias { $bias } = { $sum }
+pipeline-pixel-biased-clamped = depth { $plane } + bias { $bias }, kept in 0 … 1: { $sum }
+pipeline-pixel-clamped = depth { $plane }, kept in 0 … 1: { $sum }
 pipeline-pixel-stencil-values = stencil: { $reference } & { $mask } { $compare } { $stored } & { $mask }
 pipeline-pixel-stencil-compare = stencil: { $compare }
 pipeline-pixel-stencil-stored = { $operation }: { $before } → { $after } (mask { $mask })
@@ -53,8 +67,25 @@ pipeline-pixel-depth-stored = { $new } { $compare } { $stored }, stored
 pipeline-pixel-depth-kept = { $new } { $compare } { $stored }, kept
 pipeline-pixel-codes = { $new } { $compare } { $stored }
 
+pipeline-pixel-blend-add = { $channel }: { $source } · { $source-factor } + { $stored } · { $stored-factor } = { $result } → { $code }
+pipeline-pixel-blend-subtract = { $channel }: { $source } · { $source-factor } − { $stored } · { $stored-factor } = { $result } → { $code }
+pipeline-pixel-blend-reverse = { $channel }: { $stored } · { $stored-factor } − { $source } · { $source-factor } = { $result } → { $code }
+pipeline-pixel-blend-min = { $channel }: min({ $source }, { $stored }) = { $result } → { $code }
+pipeline-pixel-blend-max = { $channel }: max({ $source }, { $stored }) = { $result } → { $code }
+
 pipeline-pixel-drawn = { $name } drew this pixel.
-pipeline-pixel-clear = No triangle drew this pixel: it shows the clear colour.
+pipeline-pixel-why-own-black = { $name } drew this pixel, and is black there itself.
+pipeline-pixel-why-left-black = { $name } was blended over this pixel last, and that left it black.
+pipeline-pixel-why-transparent = { $name } came last, with alpha 0: it changed nothing.
+pipeline-pixel-why-nothing = Nothing comes to this pixel: it shows the clear colour.
+pipeline-pixel-why-depth = The pixel is clear: { $name } came to it, but its depth test failed.
+pipeline-pixel-why-stencil = The pixel is clear: { $name } came to it, but its stencil test failed.
+pipeline-pixel-why-discarded = The pixel is clear: { $name } came to it, but was discarded for its alpha.
+pipeline-pixel-why-scissored = The pixel is clear: it lies outside the scissor rectangle of { $name }.
+pipeline-pixel-why-lost-tie = The pixel is clear: its centre lies on an edge of { $name } that does not draw it.
+pipeline-pixel-why-cut-off = The pixel is clear: the { $plane } plane cut off what { $name } would show here.
+pipeline-pixel-why-back-facing = The pixel is clear: { $name } would cover it, but is culled, as it shows its back.
+pipeline-pixel-why-front-facing = The pixel is clear: { $name } would cover it, but is culled, as it shows its front.
 
 pipeline-overlay-none = nothing
 pipeline-overlay-depth = depth

@@ -587,6 +587,30 @@ preset-depth-not-written = Fragments that pass store no depth, so B is drawn ove
 preset-depth-equal-codes-name = Equal codes
 preset-depth-equal-codes = B lies nearer than A everywhere, by half a step. Diamonds mark where rounding made their codes equal.
 
+preset-depth-bias-decal-name = Decal with and without bias
+preset-depth-bias-decal = B lies in the plane of A. Right they fight, as the last bits of two sums decide; left a bias of two steps and one slope lifts B off its wall.
+
+preset-depth-bias-too-much-name = Too much bias
+preset-depth-bias-too-much = B stands in front of the wall A, and C is a decal on the wall. So large a bias lifts C not only off the wall, but through B, too.
+
+preset-depth-bias-slope-name = Stripes of a steep surface
+preset-depth-bias-slope = A to H are what a light saw, two pixels wide each; I and J are the surface itself. Half its pixels lie behind their own step. A bias by the slope cures that on any slope; a constant does not.
+
+preset-depth-unclipped-name = In front of the near plane
+preset-depth-unclipped = A reaches from in front of the near plane to behind it and is cut there. B does the same without clipping: what is too near is drawn at depth 0.
+
+preset-scissor-name = Scissor rectangle
+preset-scissor = B may draw to columns 3 to 8 and rows 2 to 6 only. Other fragments of it end before every test.
+
+preset-alpha-leaf-name = Leaf with a hole, early z
+preset-alpha-leaf = Alpha falls to 0 at the middle of the leaf B, C, D, and what is below one half is discarded. Where A is nearer, early z never asks for alpha. The hole shows E: a discarded fragment has stored no depth.
+
+preset-alpha-leaf-late-name = Early z against late z
+preset-alpha-leaf-late = Left the depth test comes first and is written after the alpha test; right every fragment is asked for its alpha first. The image is the same, the work is not.
+
+preset-alpha-no-early-name = No early z
+preset-alpha-no-early = B counts in the stencil where it fails in depth, and its alpha discards a part. A discarded fragment must not count, so nothing may be tested before its alpha is known.
+
 preset-precision-16-bits-name = 16 bits, 0.1 to 1000
 preset-precision-16-bits = Most codes lie near the eye. Eight units away a centimetre is less than one code.
 
@@ -619,6 +643,9 @@ preset-blend-three-orders = Of three layers of alpha 0.5 the last counts four ti
 
 preset-blend-list-name = A list for each pixel
 preset-blend-list = Left the layers are blended as they come, the nearest first: wrong. Right they are kept, sorted by depth, and blended from the farthest on.
+
+preset-blend-constant-name = Fading by a constant
+preset-blend-constant = Source times a constant, destination times the rest: one picture fades into another, whatever their alphas are. Here a quarter of the way.
 
 preset-blend-premultiplied-name = Premultiplied
 preset-blend-premultiplied = The colours are multiplied by their alpha already, so the source's factor is 1. A layer of alpha 0 can still add light.

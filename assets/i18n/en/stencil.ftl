@@ -9,6 +9,12 @@ stencil-outline = **{ $object }** is an outline: the same object once more, a li
 stencil-enlarge-scale = **{ $object }**: every vertex moves away from the centroid. Its distance is multiplied by { $amount }.
 stencil-enlarge-normals = **{ $object }**: every vertex moves along its normal, by { $amount } in object space.
 stencil-enlarge-pixels = **{ $object }**: every vertex moves along its normal as the screen sees it, by { $amount } pixels.
+stencil-early-whole = Nothing discards fragments of **{ $object }**: each is tested and written before it is coloured. That is early z.
+stencil-early-test = An alpha test may discard fragments of **{ $object }**. Early z still tests first, but writes only after the alpha test.
+stencil-early-never = No early z for **{ $object }**: a fragment that fails would change the stencil, and it may still be discarded.
+stencil-scissor = Row { $y }: the scissor leaves { $kept-first } ≤ x < { $kept-end } of **{ $object }**'s { $first } ≤ x < { $end }.
+stencil-scissor-row = Row { $y }: the scissor leaves nothing of **{ $object }**'s { $first } ≤ x < { $end }.
+stencil-discard = Pixel ({ $x }, { $y }): **{ $object } is discarded**, for its alpha is { $alpha }. Nothing is stored.
 stencil-row = Row { $y }: **{ $object }** covers { $first } ≤ x < { $end }, { $count ->
     [one] 1 fragment
    *[other] { $count } fragments

@@ -44,7 +44,7 @@ pub fn blend_channel(
     stored: [u8; 4],
     tally: &mut Tally,
 ) -> u8 {
-    let component = state.component(channel);
+    let component = (state.component(channel), state.constant[channel]);
     let near = {
         let stored = stored.map(|code| Approx::exact(f64::from(code)) / Approx::exact(255.0));
         equation(component, source, stored, channel)
@@ -79,26 +79,32 @@ impl Terms {
     /// Those of one channel.
     pub fn new(state: &BlendState, channel: usize, source: [f32; 4], stored: [u8; 4]) -> Self {
         let (source, stored) = (source.map(f64::from), stored.map(|code| f64::from(code) / 255.0));
-        let component = state.component(channel);
+        let (component, constant) = (state.component(channel), state.constant[channel]);
+        let factor = |which| factor((which, constant), source, stored, channel);
         Self {
             source: source[channel],
-            source_factor: factor(component.src_factor, source, stored, channel),
+            source_factor: factor(component.src_factor),
             stored: stored[channel],
-            stored_factor: factor(component.dst_factor, source, stored, channel),
-            result: equation(component, source, stored, channel),
+            stored_factor: factor(component.dst_factor),
+            result: equation((component, constant), source, stored, channel),
         }
     }
 }
 
 /// One channel of the result, before rounding and clamping.
-fn equation<N: Number>(component: &BlendComponent, source: [N; 4], stored: [N; 4], channel: usize) -> N {
+fn equation<N: Number>(
+    (component, constant): (&BlendComponent, f32),
+    source: [N; 4],
+    stored: [N; 4],
+    channel: usize,
+) -> N {
     let (new, old) = (source[channel].clone(), stored[channel].clone());
     match component.operation {
         BlendOperation::Min => return new.min(old),
         BlendOperation::Max => return new.max(old),
         _ => {}
     }
-    let of = |which| factor(which, source.clone(), stored.clone(), channel);
+    let of = |which| factor((which, constant), source.clone(), stored.clone(), channel);
     let new = new * of(component.src_factor);
     let old = old * of(component.dst_factor);
     match component.operation {
@@ -109,7 +115,12 @@ fn equation<N: Number>(component: &BlendComponent, source: [N; 4], stored: [N; 4
 }
 
 /// The value of a factor for one channel.
-fn factor<N: Number>(factor: BlendFactor, source: [N; 4], stored: [N; 4], channel: usize) -> N {
+fn factor<N: Number>(
+    (factor, constant): (BlendFactor, f32),
+    source: [N; 4],
+    stored: [N; 4],
+    channel: usize,
+) -> N {
     let one = || N::from(1.0);
     let [src, dst] = [&source, &stored].map(|color| color[channel].clone());
     let [[.., src_alpha], [.., dst_alpha]] = [source, stored];
@@ -126,6 +137,8 @@ fn factor<N: Number>(factor: BlendFactor, source: [N; 4], stored: [N; 4], channe
         BlendFactor::OneMinusDstAlpha => one() - dst_alpha,
         BlendFactor::SrcAlphaSaturated if channel == 3 => one(),
         BlendFactor::SrcAlphaSaturated => src_alpha.min(one() - dst_alpha),
+        BlendFactor::Constant => N::from(constant),
+        BlendFactor::OneMinusConstant => one() - N::from(constant),
     }
 }
 
@@ -217,7 +230,8 @@ mod tests {
 
     fn over(source: [f32; 4], stored: [u8; 4], color: BlendComponent, alpha: BlendComponent) -> [u8; 4] {
         let exact = || ExactColor { channels: source.map(Dyadic::from), denominator: Dyadic::one() };
-        blend(&BlendState { color, alpha }, source.map(Approx::from), exact, stored, &mut Tally::default())
+        let state = BlendState { color, alpha, ..BlendState::default() };
+        blend(&state, source.map(Approx::from), exact, stored, &mut Tally::default())
     }
 
     fn component(src: BlendFactor, dst: BlendFactor, operation: BlendOperation) -> BlendComponent {

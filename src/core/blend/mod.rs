@@ -1,9 +1,11 @@
 //! Blending: what a fragment's colour becomes over the colour that is there.
 
+mod alpha_test;
 mod equation;
 pub mod layers;
 mod mode;
 
+pub use alpha_test::AlphaTest;
 pub use equation::{ExactColor, Terms, blend, blend_channel};
 pub use mode::Mode;
 
@@ -26,11 +28,13 @@ pub enum BlendFactor {
     DstAlpha,
     OneMinusDstAlpha,
     SrcAlphaSaturated,
+    Constant,
+    OneMinusConstant,
 }
 
 impl BlendFactor {
-    /// In WebGPU's order; its two constants are left out, as no scene has one.
-    pub const ALL: [Self; 11] = [
+    /// In WebGPU's order.
+    pub const ALL: [Self; 13] = [
         Self::Zero,
         Self::One,
         Self::Src,
@@ -42,6 +46,8 @@ impl BlendFactor {
         Self::DstAlpha,
         Self::OneMinusDstAlpha,
         Self::SrcAlphaSaturated,
+        Self::Constant,
+        Self::OneMinusConstant,
     ];
 
     /// WebGPU's name.
@@ -58,6 +64,8 @@ impl BlendFactor {
             Self::DstAlpha => "dst-alpha",
             Self::OneMinusDstAlpha => "one-minus-dst-alpha",
             Self::SrcAlphaSaturated => "src-alpha-saturated",
+            Self::Constant => "constant",
+            Self::OneMinusConstant => "one-minus-constant",
         }
     }
 }
@@ -110,13 +118,21 @@ impl Default for BlendComponent {
 }
 
 /// Blend state of a draw.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct BlendState {
     /// For red, green and blue.
     pub color: BlendComponent,
     /// For alpha.
     pub alpha: BlendComponent,
+    /// What the factors `constant` and `one-minus-constant` stand for: red, green, blue, alpha in 0..=1
+    /// (WebGPU's `setBlendConstant`).
+    #[serde(skip_serializing_if = "is_black")]
+    pub constant: [f32; 4],
+}
+
+fn is_black(constant: &[f32; 4]) -> bool {
+    *constant == [0.0; 4]
 }
 
 impl BlendState {
@@ -124,5 +140,13 @@ impl BlendState {
     #[inline]
     pub fn component(&self, channel: usize) -> &BlendComponent {
         if channel == 3 { &self.alpha } else { &self.color }
+    }
+
+    /// Whether a factor is the constant.
+    pub fn uses_constant(&self) -> bool {
+        let constants = [BlendFactor::Constant, BlendFactor::OneMinusConstant];
+        let uses =
+            |of: BlendComponent| constants.contains(&of.src_factor) || constants.contains(&of.dst_factor);
+        uses(self.color) || uses(self.alpha)
     }
 }

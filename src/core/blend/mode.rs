@@ -61,16 +61,14 @@ impl Mode {
         use BlendFactor::{Dst, DstAlpha, One, OneMinusSrcAlpha, SrcAlpha, Zero};
         use BlendOperation::{Add, Max, Min};
         let of = |src_factor, dst_factor, operation| BlendComponent { src_factor, dst_factor, operation };
-        let both = |component| BlendState { color: component, alpha: component };
+        let each = |color, alpha| BlendState { color, alpha, ..BlendState::default() };
+        let both = |component| each(component, component);
         match self {
-            Self::Over => BlendState {
-                color: of(SrcAlpha, OneMinusSrcAlpha, Add),
-                alpha: of(One, OneMinusSrcAlpha, Add),
-            },
+            Self::Over => each(of(SrcAlpha, OneMinusSrcAlpha, Add), of(One, OneMinusSrcAlpha, Add)),
             Self::ColorFactors => both(of(SrcAlpha, OneMinusSrcAlpha, Add)),
             Self::Premultiplied => both(of(One, OneMinusSrcAlpha, Add)),
-            Self::Additive => BlendState { color: of(SrcAlpha, One, Add), alpha: of(One, One, Add) },
-            Self::Multiply => BlendState { color: of(Dst, Zero, Add), alpha: of(DstAlpha, Zero, Add) },
+            Self::Additive => each(of(SrcAlpha, One, Add), of(One, One, Add)),
+            Self::Multiply => each(of(Dst, Zero, Add), of(DstAlpha, Zero, Add)),
             Self::Min => both(of(One, One, Min)),
             Self::Max => both(of(One, One, Max)),
             Self::Replace => both(of(One, Zero, Add)),

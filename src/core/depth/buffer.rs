@@ -66,6 +66,13 @@ impl DepthBuffer {
         self.format.test(state, code, &mut self.codes[index])
     }
 
+    /// Whether [`test`](Self::test) would pass; nothing is stored.
+    #[inline]
+    pub fn would_pass(&self, state: DepthState, pixel: [u32; 2], code: u32) -> bool {
+        let mut stored = self.code(pixel);
+        self.format.test(state, code, &mut stored)
+    }
+
     /// Stores a code, whatever is there.
     pub(crate) fn set(&mut self, pixel: [u32; 2], code: u32) {
         let index = self.index(pixel);

@@ -3,15 +3,22 @@
 //! Contract: a fragment's depth is the exact plane value at the pixel's centre, rounded once to
 //! the buffer's format, within the vertices' range.
 
+mod bias;
 mod buffer;
+mod early;
 mod plane;
 pub mod precision;
 mod row;
+mod rules;
 pub mod z_buffer;
 
+pub use bias::{DepthBias, DepthPlacement};
 pub use buffer::DepthBuffer;
+pub use early::Early;
 pub use plane::DepthPlane;
 pub use row::{DepthRow, DepthRows};
+pub(crate) use rules::scissor_sentence;
+pub use rules::{Cut, Cutout, Rules};
 
 use crate::interpolate::unorm;
 use serde::{Deserialize, Serialize};

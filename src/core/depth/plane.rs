@@ -3,7 +3,7 @@
 //! *Source:* Foley et al., Computer Graphics: Principles and Practice, 2nd ed., section 15.4. Deviation:
 //! in exact arithmetic nothing is added from pixel to pixel; the value is the exact quotient.
 
-use super::DepthFormat;
+use super::{DepthFormat, DepthPlacement, bias::Offset};
 use crate::{
     interpolate::barycentric::determinant,
     math::{Approx, Arithmetic, Dyadic, Real, Tally, edge_value, orient2d, rounded_code, rounded_ratio},
@@ -16,6 +16,8 @@ pub struct DepthPlane {
     form: Form,
     /// The least and the greatest depth of the vertices.
     range: [f32; 2],
+    /// What is added, unless depths are those of the plane.
+    offset: Option<Offset>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +45,42 @@ impl DepthPlane {
                 _ => Form::Exact(Plane::new(vertices)),
             }
         };
-        Self { form, range: [a.min(b).min(c), a.max(b).max(c)] }
+        Self { form, range: [a.min(b).min(c), a.max(b).max(c)], offset: None }
+    }
+
+    /// The same with a bias, for codes in that format; depths are kept in 0..=1 then.
+    #[must_use]
+    pub fn placed(self, placement: &DepthPlacement, format: DepthFormat) -> Self {
+        if placement.is_plain() {
+            return self;
+        }
+        let steepest = self.nearly_steepest();
+        Self { offset: Some(Offset::new(placement.bias, format, self.greatest(), steepest)), ..self }
+    }
+
+    /// The greater magnitude of dz/dx and dz/dy; in binary64, to be shown.
+    pub fn steepest(&self) -> f64 {
+        self.nearly_steepest().value
+    }
+
+    /// The greatest magnitude of the vertices' depths.
+    pub fn greatest(&self) -> f32 {
+        self.range[0].abs().max(self.range[1].abs())
+    }
+
+    fn nearly_steepest(&self) -> Approx {
+        match &self.form {
+            Form::Constant(_) => Approx::exact(0.0),
+            Form::Exact(plane) => plane.steepest(),
+            // To be shown only: the sum is made in their own arithmetic.
+            Form::F32(slopes) => Approx::exact(slopes.steepest().into()),
+            Form::F64(slopes) => Approx::exact(slopes.steepest()),
+        }
+    }
+
+    /// What is added to the plane's depths; in binary64, to be shown.
+    pub fn bias(&self) -> f64 {
+        self.offset.map_or(0.0, |offset| offset.shown())
     }
 
     /// The depth at the centre of a pixel: correctly rounded, and within the vertices' range also
@@ -55,16 +92,41 @@ impl DepthPlane {
 
     #[inline]
     fn depth_at(&self, point: [f32; 2], tally: &mut Tally) -> f32 {
-        let rounded = match &self.form {
-            Form::Constant(z) => return *z,
-            Form::Exact(plane) => {
-                return rounded_ratio(plane.at(point, self.range), || plane.exact(point, self.range), tally);
+        match (&self.form, &self.offset) {
+            (Form::Constant(z), None) => *z,
+            (Form::Constant(_) | Form::Exact(_), _) => {
+                rounded_ratio(self.nearly(point), || self.exactly(point), tally)
             }
-            Form::F32(slopes) => slopes.depth(point),
-            Form::F64(slopes) => slopes.depth(point),
+            (Form::F32(slopes), offset) => slopes.within(point, self.range, offset.as_ref()),
+            (Form::F64(slopes), offset) => slopes.within(point, self.range, offset.as_ref()),
+        }
+    }
+
+    /// The depth of a form without a rounding, with its bias; nearly.
+    #[inline]
+    fn nearly(&self, point: [f32; 2]) -> Approx {
+        let depth = match &self.form {
+            Form::Constant(z) => Approx::from(*z),
+            Form::Exact(plane) => plane.at(point, self.range),
+            Form::F32(_) | Form::F64(_) => Approx::UNKNOWN,
         };
-        // Not `clamp`, which leaves NaN: the taught slopes of a sliver can be.
-        rounded.max(self.range[0]).min(self.range[1])
+        self.offset.map_or(depth, |offset| offset.at(depth))
+    }
+
+    /// The same as a quotient.
+    #[cold]
+    fn exactly(&self, point: [f32; 2]) -> (Dyadic, Dyadic) {
+        let (depth, steepest) = match &self.form {
+            Form::Exact(plane) => (plane.exact(point, self.range), plane.exact_steepest()),
+            // The taught forms round by themselves and never come here.
+            Form::Constant(_) | Form::F32(_) | Form::F64(_) => {
+                ((Dyadic::from(self.range[0]), Dyadic::one()), Dyadic::zero())
+            }
+        };
+        match self.offset {
+            Some(offset) => offset.exact(depth, steepest),
+            None => depth,
+        }
     }
 
     /// The code of the depth at the centre of a pixel: the exact value rounded once to the
@@ -77,9 +139,9 @@ impl DepthPlane {
     /// [`code`](Self::code) at any point, such as a sample of a pixel.
     #[inline]
     pub fn code_at(&self, point: [f32; 2], format: DepthFormat, tally: &mut Tally) -> u32 {
-        match (&self.form, format.max_code()) {
-            (Form::Exact(plane), Some(max)) => {
-                rounded_code(plane.at(point, self.range), max, || plane.exact(point, self.range), tally)
+        match (&self.form, &self.offset, format.max_code()) {
+            (Form::Exact(_), _, Some(max)) | (Form::Constant(_), Some(_), Some(max)) => {
+                rounded_code(self.nearly(point), max, || self.exactly(point), tally)
             }
             _ => format.encode(self.depth_at(point, tally)),
         }
@@ -128,6 +190,19 @@ impl Plane {
         }
     }
 
+    /// The greater magnitude of both slopes.
+    fn steepest(&self) -> Approx {
+        let [x, y] = [self.dz_dx, self.dz_dy];
+        Approx { value: x.value.abs().max(y.value.abs()), error: x.error.max(y.error) }
+    }
+
+    /// The same over the denominator of [`exact`](Self::exact).
+    #[cold]
+    fn exact_steepest(&self) -> Dyadic {
+        let [_, zy, xz] = Self::along_axes(self.vertices).map(|[a, b, c]| determinant(a, b, c));
+        zy.abs().max(xz.abs())
+    }
+
     /// The same as a quotient, without a rounding.
     #[cold]
     fn exact(&self, [x, y]: [f32; 2], range: [f32; 2]) -> (Dyadic, Dyadic) {
@@ -159,8 +234,18 @@ impl<R: Real> Slopes<R> {
         Self { start: [x0, y0, z0], dz_dx: (az * by - bz * ay) / area, dz_dy: (bz * ax - az * bx) / area }
     }
 
-    fn depth(&self, [x, y]: [f32; 2]) -> f32 {
+    /// The depth at a point, kept within the vertices' range, with its bias.
+    fn within(&self, [x, y]: [f32; 2], [least, greatest]: [f32; 2], offset: Option<&Offset>) -> f32 {
         let [x0, y0, z0] = self.start;
-        (z0 + self.dz_dx * (R::from_f32(x) - x0) + self.dz_dy * (R::from_f32(y) - y0)).to_f32()
+        let depth = z0 + self.dz_dx * (R::from_f32(x) - x0) + self.dz_dy * (R::from_f32(y) - y0);
+        // Not `clamp`, which leaves NaN: the taught slopes of a sliver can be.
+        let kept = depth.to_f32().max(least).min(greatest);
+        offset.map_or(kept, |offset| offset.taught(R::from_f32(kept), self.steepest()).to_f32())
+    }
+
+    /// The greater magnitude of both slopes.
+    fn steepest(&self) -> R {
+        let [x, y] = [self.dz_dx, self.dz_dy].map(|slope| if slope < R::ZERO { -slope } else { slope });
+        if x < y { y } else { x }
     }
 }

@@ -5,11 +5,12 @@
 //! the exact plane value, not a sum of increments.
 
 mod explain;
+mod rules;
 mod snapshot;
 
 pub use snapshot::Snapshot;
 
-use super::{DepthBuffer, DepthFormat, DepthPlane, DepthState};
+use super::{DepthBuffer, DepthFormat, DepthPlane, DepthState, Early, Rules};
 use crate::{
     math::Tally,
     raster::{self, Algorithm},
@@ -43,6 +44,8 @@ pub struct Settings {
     pub clear: f32,
     /// What passes, and what is written then.
     pub state: DepthState,
+    /// Whether the test comes before the alpha test where it may. The image does not depend on it.
+    pub early_z: bool,
 }
 
 impl Settings {
@@ -54,6 +57,7 @@ impl Settings {
             format: DepthFormat::default(),
             clear: 1.0,
             state: DepthState::default(),
+            early_z: true,
         }
     }
 
@@ -105,6 +109,22 @@ pub enum Event {
         /// Which one.
         index: u32,
     },
+    /// Whether its fragments may be tested before their alpha is known; only in runs with an alpha test.
+    Early {
+        /// What may happen before.
+        when: Early,
+        /// Whether that is done.
+        on: bool,
+    },
+    /// The scissor rectangle took pixels off a row.
+    Scissor {
+        /// The row.
+        y: u16,
+        /// First column, and one past the last.
+        whole: [u16; 2],
+        /// The same of what is left; equal if nothing is.
+        kept: [u16; 2],
+    },
     /// A row of its pixels begins.
     Row {
         /// The row.
@@ -124,6 +144,14 @@ pub enum Event {
         code: u32,
         /// The code that its pixel holds.
         stored: u32,
+    },
+    /// Its alpha was tested. If that came before the depth test and it is kept, the depth test follows; one
+    /// that is not kept ends here.
+    Alpha {
+        /// Rounded.
+        alpha: f32,
+        /// Whether it is kept.
+        kept: bool,
     },
     /// It passed: the triangle shows, and its code is stored if the state writes.
     Pass,
@@ -154,9 +182,20 @@ pub fn play(
     settings: Settings,
     budget: Budget,
 ) -> Player<Snapshot> {
-    let snapshot = Snapshot::new(&triangles, names, settings);
+    play_ruled(triangles, Vec::new(), names, settings, budget)
+}
+
+/// [`play`] of triangles that have rules, one for each; those beyond the last have none.
+pub fn play_ruled(
+    triangles: Vec<Triangle>,
+    rules: Vec<Rules>,
+    names: Vec<Name>,
+    settings: Settings,
+    budget: Budget,
+) -> Player<Snapshot> {
+    let snapshot = Snapshot::new(&triangles, &rules, names, settings);
     Player::new(snapshot, budget, move |t| {
-        draw_traced(&triangles, &settings, &mut Tally::default(), t);
+        draw_ruled_traced(&triangles, &rules, &settings, &mut Tally::default(), t);
     })
 }
 
@@ -167,10 +206,27 @@ pub fn draw_traced<T: Tracer<Event>>(
     tally: &mut Tally,
     t: &mut T,
 ) -> Image {
+    draw_ruled_traced(triangles, &[], settings, tally, t)
+}
+
+/// [`draw_traced`] of triangles that have rules, as in [`play_ruled`].
+pub fn draw_ruled_traced<T: Tracer<Event>>(
+    triangles: &[Triangle],
+    rules: &[Rules],
+    settings: &Settings,
+    tally: &mut Tally,
+    t: &mut T,
+) -> Image {
     let mut image = settings.empty();
-    for (&triangle, index) in triangles.iter().zip(0..) {
+    let cuts = rules.iter().any(|rules| rules.cutout.is_some());
+    for (i, &triangle) in triangles.iter().enumerate() {
+        let (index, rules) = (i as u32, rules.get(i).copied().unwrap_or_default());
         t.emit(|| Event::Triangle { index });
-        draw_triangle_traced(triangle, index, settings, &mut image, tally, t);
+        if cuts {
+            let when = Early::of(rules.cutout.is_some(), settings.state.test, None);
+            t.emit(|| Event::Early { when, on: settings.early_z });
+        }
+        fragments_traced((triangle, index), &rules, settings, &mut image, tally, t);
     }
     image
 }
@@ -184,12 +240,32 @@ pub fn draw_triangle_traced<T: Tracer<Event>>(
     tally: &mut Tally,
     t: &mut T,
 ) {
+    fragments_traced((triangle, index), &Rules::default(), settings, image, tally, t);
+}
+
+fn fragments_traced<T: Tracer<Event>>(
+    (triangle, index): (Triangle, u32),
+    rules: &Rules,
+    settings: &Settings,
+    image: &mut Image,
+    tally: &mut Tally,
+    t: &mut T,
+) {
     let plane = DepthPlane::new(triangle, settings.raster.arithmetic, tally);
+    let plane = plane.placed(&rules.placement, settings.format);
+    let cut = rules.cut(triangle, tally);
     let mut signs = Tally::default();
     let (mut passed, mut failed) = (0, 0);
     let points = triangle.map(|[x, y, _]| [x, y]);
     raster::cover(settings.algorithm, points, &settings.raster, &mut signs, &mut |span| {
-        let raster::Span { y, begin, end } = span;
+        let raster::Span { y, begin, end } = rules.scissored(span);
+        if end - begin < span.len() {
+            let [whole, kept] = [[span.begin, span.end], [begin, end]].map(|ends| ends.map(|x| x as u16));
+            t.emit(|| Event::Scissor { y: y as u16, whole, kept });
+            if begin == end {
+                return;
+            }
+        }
         t.emit(|| Event::Row { y, begin, end });
         for x in begin..end {
             let code = plane.code([x, y], settings.format, tally);
@@ -197,6 +273,20 @@ pub fn draw_triangle_traced<T: Tracer<Event>>(
                 let z = plane.depth([x, y], tally);
                 let stored = image.depth.code([x, y]);
                 t.emit(|| Event::Fragment { x: x as u16, z, code, stored });
+            }
+            if let Some(cut) = &cut {
+                // Early, a fragment that fails is never asked for its alpha; late, every one is.
+                let fails = settings.early_z && !image.depth.would_pass(settings.state, [x, y], code);
+                if !fails {
+                    let kept = cut.keeps([x, y], tally);
+                    if T::ENABLED {
+                        let alpha = cut.alpha([x, y], tally);
+                        t.emit(|| Event::Alpha { alpha, kept });
+                    }
+                    if !kept {
+                        continue;
+                    }
+                }
             }
             if image.depth.test(settings.state, [x, y], code) {
                 image.show([x, y], index);

@@ -87,8 +87,9 @@ fn tiles_of([a, b, c]: &[[f32; 3]; 3], limit: [f32; 2]) -> Option<[usize; 4]> {
         last[axis] = integer(least(greatest(end, -1.0), limit[axis] - 1.0));
     }
     // Infinity minus infinity, and whatever has to do with NaN, is NaN.
-    let sum = (a[0] + a[1] + a[2]) * 0.0 + (b[0] + b[1] + b[2]) * 0.0 + (c[0] + c[1] + c[2]) * 0.0;
-    if sum != 0.0 || sum.is_nan() || first[0] > last[0] || first[1] > last[1] {
+    let nothing = |[x, y, z]: &[f32; 3]| x * 0.0 + y * 0.0 + z * 0.0;
+    let sum = nothing(a) + nothing(b) + nothing(c);
+    if sum.is_nan() || first[0] > last[0] || first[1] > last[1] {
         return None;
     }
     let tile = |pixel: i32| pixel as usize / TILE;

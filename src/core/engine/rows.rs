@@ -137,6 +137,7 @@ pub(super) fn column(at: &Wide) -> [u32; LANES] {
 }
 
 /// The edges of a triangle, for exact signs at the centres of a tile.
+#[derive(Clone, Copy)]
 pub(super) struct Exact {
     pub(super) edges: Option<Edges>,
     pub(super) origin: [u32; 2],

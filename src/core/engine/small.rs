@@ -52,6 +52,8 @@ impl SmallRows {
             highest = highest.max(heights[i]);
         }
         let asks_left = counts && job.origin[0] > 0;
+        let mut edges: [Option<Exact>; LANES] = [const { None }; LANES];
+        let mut exact = |i: usize| *edges[i].get_or_insert_with(|| Exact::new(&entries[i], job));
         for row in 0..SIDE.min(highest as usize) {
             let mut left = [[f64::NEG_INFINITY; LANES]; 2];
             let mut right = [[f64::INFINITY; LANES]; 2];
@@ -83,9 +85,8 @@ impl SmallRows {
                 for i in 0..entries.len().min(LANES) {
                     let sides = [[left_low[i], left_high[i]], [right_low[i], right_high[i]]];
                     if (row as u32) < heights[i] && sides.iter().any(|[low, high]| low != high) {
-                        let exact = Exact::new(&entries[i], job);
                         [rows.begin[row][i], rows.end[row][i]] =
-                            exact.row(setup.rows[0][i] + row as u32, sides, stats);
+                            exact(i).row(setup.rows[0][i] + row as u32, sides, stats);
                     }
                 }
             }
@@ -94,8 +95,7 @@ impl SmallRows {
                 for i in 0..entries.len().min(LANES) {
                     if rows.begin[row][i] == 0 && rows.end[row][i] > 0 && left[0][i] <= -1.0 {
                         let y = setup.rows[0][i] + row as u32;
-                        let goes_on =
-                            left[1][i] <= -1.0 || Exact::new(&entries[i], job).covers_left(y, stats);
+                        let goes_on = left[1][i] <= -1.0 || exact(i).covers_left(y, stats);
                         continued += u64::from(goes_on);
                     }
                 }

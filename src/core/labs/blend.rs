@@ -80,6 +80,8 @@ impl Family for Blend {
 
     fn check(&self, _: &Scene) -> Checked {
         each_in_unit(&self.clear).map_err(|e| e.within("clear"))?;
+        let constant = self.state.map_or([0.0; 4], |state| state.constant);
+        each_in_unit(&constant).map_err(|e| e.within("constant").within("state"))?;
         let most = layers::MOST;
         let problem = Problem::Range { min: 0.0, max: most as f64 };
         refuse_if(self.layers.len() > most, "layers", problem)?;

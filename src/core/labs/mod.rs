@@ -25,6 +25,7 @@ mod input;
 mod interpolation;
 mod lectures;
 mod msaa;
+mod of_pixel;
 mod perspective_correction;
 mod pipeline;
 mod stencil;
@@ -32,6 +33,7 @@ mod transform;
 mod z_buffer;
 
 pub use self::lectures::Topic;
+pub use self::of_pixel::lab_of;
 pub use self::{
     back_face::BackFace,
     blend::{Blend, Layer},
@@ -55,7 +57,7 @@ pub use self::{
     pipeline::Pipeline,
     stencil::{Order, Stencil},
     transform::Transform,
-    z_buffer::ZBuffer,
+    z_buffer::{TriangleState, ZBuffer},
 };
 pub use crate::stage::Stage;
 pub(crate) use input::Family;

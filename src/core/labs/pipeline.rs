@@ -43,7 +43,7 @@ impl Family for Pipeline {
         }
         let plain = |draw: &Draw| draw.stencil.is_none() && draw.depth == scene.draws[0].depth;
         if scene.draws.iter().all(plain) {
-            play_depth_of(scene, budget)
+            play_depth_of(scene, true, budget)
         } else {
             Ok(play_stencil_of(scene, budget))
         }

@@ -4,7 +4,7 @@ use super::{Family, refuse_large, scan_settings};
 use crate::{
     blend::{BlendComponent, BlendFactor, BlendOperation},
     compare::{Choice, Setting},
-    depth::{CompareFunction, DepthState},
+    depth::{CompareFunction, DepthState, Rules},
     message::Message,
     pipeline::{ScreenTriangle, draw_name, enlarged_triangles, screen_triangles},
     raster,
@@ -132,7 +132,7 @@ fn draws_of(scene: &Scene) -> Vec<Draw> {
     let triangles = screen_triangles(scene);
     let draw = |(index, own): (usize, &scene::Draw)| {
         let name = draw_name((index, own));
-        Draw { name, stencil: own.stencil, visible: is_seen(own), ..bare(&triangles, index, own.depth) }
+        Draw { name, stencil: own.stencil, visible: is_seen(own), ..bare(scene, &triangles, index) }
     };
     scene.draws.iter().enumerate().map(draw).collect()
 }
@@ -147,10 +147,17 @@ fn is_seen(draw: &scene::Draw) -> bool {
 }
 
 /// The triangles of one draw, without a stencil test.
-fn bare(triangles: &[ScreenTriangle], index: usize, depth: DepthState) -> Draw {
-    let own = triangles.iter().filter(|triangle| triangle.draw as usize == index);
-    let triangles = own.map(|triangle| triangle.vertices).collect();
-    Draw { name: String::new(), triangles, enlarged: None, depth, stencil: None, visible: true }
+fn bare(scene: &Scene, triangles: &[ScreenTriangle], index: usize) -> Draw {
+    let own = || triangles.iter().filter(|triangle| triangle.draw as usize == index);
+    Draw {
+        name: String::new(),
+        triangles: own().map(|triangle| triangle.vertices).collect(),
+        rules: own().map(|triangle| triangle.rules(scene)).collect(),
+        enlarged: None,
+        depth: scene.draws[index].depth,
+        stencil: None,
+        visible: true,
+    }
 }
 
 /// Every object of the scene with an outline: the object writes a value, and the same object enlarged is
@@ -167,15 +174,19 @@ fn outlined(scene: &Scene, enlarge: Enlarge, order: Order) -> Vec<Draw> {
         let stencil = StencilState { pass_op, reference: reference(index), ..StencilState::default() };
         let own = &scene.draws[index];
         let name = draw_name((index, own));
-        Draw { name, stencil: Some(stencil), ..bare(&triangles, index, own.depth) }
+        Draw { name, stencil: Some(stencil), ..bare(scene, &triangles, index) }
     };
     let outline = |index: usize| {
         let compare = CompareFunction::NotEqual;
         let stencil = StencilState { compare, reference: reference(index), ..StencilState::default() };
         let before = object(index);
+        let scissor = scene.draws[index].scissor;
+        let enlarged = enlarged_triangles(scene, index, enlarge);
+        let triangles: Vec<_> = enlarged.iter().map(|triangle| triangle.vertices).collect();
         Draw {
             name: before.name + "′",
-            triangles: enlarged_triangles(scene, index, enlarge).iter().map(|t| t.vertices).collect(),
+            rules: vec![Rules { scissor, ..Rules::default() }; triangles.len()],
+            triangles,
             enlarged: Some((enlarge, before.triangles)),
             depth: DepthState { test: false, write: false, ..DepthState::default() },
             stencil: Some(stencil),

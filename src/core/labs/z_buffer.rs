@@ -2,13 +2,14 @@
 
 use super::{Family, scan_settings};
 use crate::{
+    blend::AlphaTest,
     compare::{Choice, Setting},
-    depth::{CompareFunction, DepthFormat, DepthState, z_buffer},
+    depth::{CompareFunction, Cutout, DepthBias, DepthFormat, DepthPlacement, DepthState, Rules, z_buffer},
     message::Message,
     pipeline::{screen_names, screen_triangles},
-    raster,
+    raster::{self, Scissor},
     replay::{Budget, Playback},
-    scene::{Checked, Scene, each_row_finite},
+    scene::{Checked, FieldError, Scene, check_bias, check_cut, each_in_unit, each_row_finite},
 };
 use serde::{Deserialize, Serialize};
 
@@ -25,6 +26,42 @@ pub struct ZBuffer {
     /// Whether a passing fragment of its own triangles stores its depth.
     #[serde(default = "yes", skip_serializing_if = "Clone::clone")]
     pub write: bool,
+    /// More state of its own triangles, in their order; those beyond the last have none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub states: Vec<TriangleState>,
+    /// Whether the biases of those states count: off, to be compared with.
+    #[serde(default = "yes", skip_serializing_if = "Clone::clone")]
+    pub bias: bool,
+    /// Whether the depth test comes before the alpha test where it may.
+    #[serde(default = "yes", skip_serializing_if = "Clone::clone")]
+    pub early_z: bool,
+}
+
+/// What one of the lab's own triangles has beyond the depth test.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct TriangleState {
+    /// What is added to its depths.
+    pub bias: DepthBias,
+    /// Whether depths outside 0..=1 are kept at the ends of that range.
+    pub unclipped: bool,
+    /// The pixels that it may draw to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scissor: Option<Scissor>,
+    /// Which fragments are kept.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub alpha_test: Option<AlphaTest>,
+    /// Alpha at its vertices, in 0..=1; opaque if it is not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub alpha: Option<[f32; 3]>,
+}
+
+impl TriangleState {
+    fn rules(&self) -> Rules {
+        let Self { bias, unclipped, scissor, alpha_test, alpha } = *self;
+        let cutout = alpha_test.map(|test| Cutout { test, alpha: alpha.unwrap_or([1.0; 3]), r: [1.0; 3] });
+        Rules { placement: DepthPlacement { bias, unclipped }, scissor, cutout }
+    }
 }
 
 fn yes() -> bool {
@@ -51,7 +88,7 @@ impl ZBuffer {
         scene: &Scene,
     ) -> (Vec<z_buffer::Triangle>, z_buffer::Settings) {
         let state = DepthState { test: true, compare: self.test, write: self.write };
-        let settings = depth_settings(scene, state);
+        let settings = z_buffer::Settings { early_z: self.early_z, ..depth_settings(scene, state) };
         if !scene.reversed {
             return (triangles.to_vec(), settings);
         }
@@ -64,7 +101,14 @@ impl ZBuffer {
 
 impl Family for ZBuffer {
     fn first() -> Self {
-        Self { triangles: None, test: CompareFunction::default(), write: true }
+        Self {
+            triangles: None,
+            test: CompareFunction::default(),
+            write: true,
+            states: Vec::new(),
+            bias: true,
+            early_z: true,
+        }
     }
 
     fn name(&self) -> &'static str {
@@ -76,19 +120,30 @@ impl Family for ZBuffer {
     }
 
     fn check(&self, _: &Scene) -> Checked {
-        let triangles = self.triangles.iter().flatten();
-        triangles
-            .enumerate()
-            .try_for_each(|(i, triangle)| each_row_finite(i, triangle).map_err(|e| e.within("triangles")))
+        for (i, triangle) in self.triangles.iter().flatten().enumerate() {
+            each_row_finite(i, triangle).map_err(|e| e.within("triangles"))?;
+        }
+        for (i, state) in self.states.iter().enumerate() {
+            let within = |e: FieldError| e.within(i).within("states");
+            check_bias(state.bias).map_err(|e| within(e.within("bias")))?;
+            check_cut(state.scissor, state.alpha_test).map_err(within)?;
+            let alpha = state.alpha.unwrap_or_default();
+            each_in_unit(&alpha).map_err(|e| within(e.within("alpha")))?;
+        }
+        Ok(())
     }
 
     fn play(&self, scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
         match &self.triangles {
             Some(triangles) => {
                 let (triangles, settings) = self.own(triangles, scene);
-                Ok(Box::new(z_buffer::play(triangles, Vec::new(), settings, budget)))
+                let mut rules: Vec<_> = self.states.iter().map(TriangleState::rules).collect();
+                if !self.bias {
+                    rules.iter_mut().for_each(|rules| rules.placement.bias = DepthBias::default());
+                }
+                Ok(Box::new(z_buffer::play_ruled(triangles, rules, Vec::new(), settings, budget)))
             }
-            None => play_depth_of(scene, budget),
+            None => play_depth_of(scene, self.early_z, budget),
         }
     }
 
@@ -120,12 +175,25 @@ impl Family for ZBuffer {
         let writes = [("true", "word-depth-written"), ("false", "word-depth-not-written")];
         let mut all = Choice::all("test", "compare-depth-compare", tests).to_vec();
         all.extend(Choice::all("write", "compare-depth-write", writes));
+        // Only where they make a difference.
+        if self.states.iter().any(|state| !state.bias.is_none()) {
+            let biases = [("true", "word-biased"), ("false", "word-not-biased")];
+            all.extend(Choice::all("bias", "compare-bias", biases));
+        }
+        if self.states.iter().any(|state| state.alpha_test.is_some()) {
+            let early = [("true", "word-early-z"), ("false", "word-late-z")];
+            all.extend(Choice::all("early_z", "compare-early-z", early));
+        }
         all
     }
 }
 
 /// The depth test of all of the scene's triangles, which must agree on its state.
-pub(super) fn play_depth_of(scene: &Scene, budget: Budget) -> Result<Box<dyn Playback>, Message> {
+pub(super) fn play_depth_of(
+    scene: &Scene,
+    early_z: bool,
+    budget: Budget,
+) -> Result<Box<dyn Playback>, Message> {
     let mut states = scene.draws.iter().map(|draw| draw.depth);
     let state = states.next().unwrap_or_default();
     if states.any(|other| other != state) {
@@ -136,8 +204,10 @@ pub(super) fn play_depth_of(scene: &Scene, budget: Budget) -> Result<Box<dyn Pla
         .zip(&triangles)
         .map(|(text, piece)| z_buffer::Name { text, object: piece.draw as usize })
         .collect();
+    let rules = triangles.iter().map(|triangle| triangle.rules(scene)).collect();
     let triangles = triangles.iter().map(|triangle| triangle.vertices).collect();
-    Ok(Box::new(z_buffer::play(triangles, names, depth_settings(scene, state), budget)))
+    let settings = z_buffer::Settings { early_z, ..depth_settings(scene, state) };
+    Ok(Box::new(z_buffer::play_ruled(triangles, rules, names, settings, budget)))
 }
 
 /// What the depth test of all of the scene's triangles reads.
@@ -155,5 +225,6 @@ fn depth_settings(scene: &Scene, state: DepthState) -> z_buffer::Settings {
         format: scene.depth_format,
         clear: scene.clear.depth,
         state,
+        early_z: true,
     }
 }

@@ -6,6 +6,7 @@ use super::{
     Bounding, Skip, Skips, Stats,
     stages::{self, Clipped, CullKey, Culled, Fate, Point},
     stats::Reason,
+    visible::Visible,
 };
 use crate::{
     clip::polygon::Plane,
@@ -13,7 +14,7 @@ use crate::{
     memo::{Memo, Rev},
     scene::{Draw, Mesh, Scene, Shade},
     stage::Stage,
-    transform::{Camera, DepthRange, Matrix, Viewport, apply, chain::model_matrix, divide},
+    transform::{Camera, Matrix, Viewport, apply, chain::model_matrix, divide},
 };
 
 /// A stage's output, kept while its key stays equal; its revision moves only when its value does.
@@ -84,7 +85,7 @@ pub struct DrawOutputs {
     view: Kept<(u64, Matrix), Vec<Point>>,
     clip: Kept<(u64, Matrix), Vec<Point>>,
     cull: Kept<(u64, u64, CullKey), Culled>,
-    polygons: Kept<(u64, u64, u64, DepthRange), Clipped>,
+    polygons: Kept<(u64, u64, u64, Visible), Clipped>,
     ndc: Kept<u64, Vec<Point>>,
     screen: Kept<(u64, Viewport), Vec<Point>>,
     shade: Kept<(u64, u64, Shade, Camera), Vec<f32>>,
@@ -198,7 +199,9 @@ impl DrawOutputs {
 
     /// Brings the stages up to date; `outside`: a plane that the whole object lies outside of.
     pub(super) fn update(&mut self, draw: &Draw, shared: &Shared<'_>, outside: Option<Plane>) {
-        self.outside = outside;
+        let key = CullKey::new(draw, shared.scene.depth_range, shared.skips);
+        // A body may lie beyond a plane that does not clip.
+        self.outside = outside.filter(|plane| key.visible.clips_at(*plane));
         let mesh = &*self.mesh;
         let model = self.model;
         let is_outside = self.outside.is_some();
@@ -211,11 +214,10 @@ impl DrawOutputs {
         let view = &self.view.out;
         self.clip.update((view.rev(), shared.projection), || through(&shared.projection, view.get()));
         let clip = &self.clip.out;
-        let key = CullKey::new(draw, shared.scene.depth_range, shared.skips);
         self.cull.update((clip.rev(), self.mesh_rev, key), || stages::cull(&key, clip.get(), mesh));
         let cull = &self.cull.out;
-        self.polygons.update((clip.rev(), cull.rev(), self.mesh_rev, key.range), || {
-            stages::clip(cull.get(), clip.get(), mesh, key.range)
+        self.polygons.update((clip.rev(), cull.rev(), self.mesh_rev, key.visible), || {
+            stages::clip(cull.get(), clip.get(), mesh, key.visible)
         });
         let polygons = &self.polygons.out;
         self.ndc.update(polygons.rev(), || polygons.get().corners.iter().copied().map(divide).collect());

@@ -30,10 +30,11 @@ pub fn enlarged_triangles(scene: &Scene, index: usize, enlarge: Enlarge) -> Vec<
     let matrix = product(&outputs.projection, &product(&outputs.view, stages.model()));
     enlarge.clip(&mesh, &matrix, scene.size, &mut clip);
     let key = CullKey::new(&alone.draws[0], scene.depth_range, Skips::ALL);
-    let clipped = stages::clip(&stages::cull(&key, &clip, &mesh), &clip, &mesh, scene.depth_range);
+    let clipped = stages::clip(&stages::cull(&key, &clip, &mesh), &clip, &mesh, key.visible);
     let place = |corner: &stages::Point| outputs.viewport.to_screen(divide(*corner));
     let screen: Vec<_> = clipped.corners.iter().map(place).collect();
-    clipped.pieces.iter().map(|piece| ScreenTriangle::new(index as u32, &screen, piece)).collect()
+    let triangle = |piece| ScreenTriangle::new(index as u32, &screen, &clipped.colors, piece);
+    clipped.pieces.iter().map(triangle).collect()
 }
 
 /// Two matrices, column by column, each product component rounded once.

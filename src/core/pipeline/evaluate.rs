@@ -33,7 +33,7 @@ impl Outputs {
     pub fn triangles(&self) -> impl Iterator<Item = ScreenTriangle> {
         (0..).zip(&self.draws).flat_map(|(index, draw)| {
             let drawn = draw.clipped().pieces.iter().filter(|piece| !piece.carried);
-            drawn.map(move |piece| ScreenTriangle::new(index, draw.screen(), piece))
+            drawn.map(move |piece| ScreenTriangle::new(index, draw.screen(), &draw.clipped().colors, piece))
         })
     }
 }
@@ -157,7 +157,7 @@ impl Pipeline {
         let states = states.map(|(outputs, draw)| (outputs.revisions(), FragmentState::new(draw)));
         image.get((state, states.collect()), |(_, states)| {
             let states: Vec<_> = states.iter().map(|(_, state)| *state).collect();
-            if state.rasterizer == Rasterizer::Engine && Whole::can_draw(&state) {
+            if state.rasterizer == Rasterizer::Engine && Whole::can_draw(&state, &states) {
                 draw_whole(drawn, &state, (draws, &states), frame);
             } else {
                 draw_each(drawn, state, (draws, &states), frame);

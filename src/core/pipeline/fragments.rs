@@ -2,20 +2,19 @@
 
 use super::{
     Frame, PixelCounts, Rasterizer, Skip, Skips, Stats,
+    counts::Counts,
     draw::DrawOutputs,
     frame::stored_depth,
     multisample::Multisample,
     shader::{Color, Shader},
-    stats::Reason,
 };
 use crate::{
-    blend::BlendState,
-    depth::{DepthBuffer, DepthFormat, DepthRow, DepthRows, DepthState},
+    blend::{AlphaTest, BlendState},
+    depth::{DepthBuffer, DepthFormat, DepthPlacement, DepthRow, DepthRows, DepthState, Early},
     interpolate::unorm,
     math::Tally,
-    raster::{FillRule, Samples, Settings, Span, YAxis, cover, cover_samples, edge::centre},
+    raster::{FillRule, Samples, Scissor, Settings, Span, YAxis, cover, edge::centre},
     scene::{Clear, Draw, Scene, Texture},
-    stage::Stage,
     stencil::{StencilOutcome, StencilState},
 };
 use std::ops::Range;
@@ -24,6 +23,9 @@ use std::ops::Range;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct FragmentState {
     pub(super) depth: DepthState,
+    pub(super) placement: DepthPlacement,
+    pub(super) scissor: Option<Scissor>,
+    pub(super) alpha_test: Option<AlphaTest>,
     pub(super) stencil: Option<StencilState>,
     pub(super) blend: Option<BlendState>,
     pub(super) texture: Option<Texture>,
@@ -31,7 +33,15 @@ pub(super) struct FragmentState {
 
 impl FragmentState {
     pub(super) fn new(draw: &Draw) -> Self {
-        Self { depth: draw.depth, stencil: draw.stencil, blend: draw.blend, texture: draw.texture }
+        Self {
+            depth: draw.depth,
+            placement: draw.placement,
+            scissor: draw.scissor,
+            alpha_test: draw.alpha_test,
+            stencil: draw.stencil,
+            blend: draw.blend,
+            texture: draw.texture,
+        }
     }
 
     /// The stencil test, then the depth test `depth`, if the draw has one; the stencil value follows.
@@ -107,69 +117,6 @@ pub(super) struct Target {
     pub(super) watch: Option<Box<PixelCounts>>,
     /// What the last image counted.
     stats: Stats,
-}
-
-#[derive(Debug, Default)]
-pub(super) struct Counts {
-    pub(super) pieces: u64,
-    pub(super) spans: u64,
-    pub(super) fragments: u64,
-    pub(super) carried: u64,
-    /// Either test.
-    pub(super) failed: u64,
-    pub(super) stencil_failed: u64,
-    pub(super) redrawn: u64,
-    pub(super) never_colored: u64,
-    pub(super) row_skipped: u64,
-    pub(super) tally: Tally,
-}
-
-impl Counts {
-    /// A triangle whose fragments are dropped.
-    pub(super) fn carry(&mut self, vertices: [[f32; 2]; 3], state: &ImageState) {
-        let Self { spans, fragments, carried, row_skipped, tally, .. } = self;
-        if state.samples != Samples::One {
-            let mut pixels = 0;
-            cover_samples(vertices, state.samples, &state.settings(), tally, &mut |_, _| pixels += 1);
-            *fragments += pixels;
-            *carried += pixels;
-            return;
-        }
-        let counts =
-            cover(state.rasterizer.algorithm(), vertices, &state.settings(), tally, &mut |_| *spans += 1);
-        *row_skipped += counts.skipped;
-        *fragments += counts.covered;
-        *carried += counts.covered;
-    }
-
-    /// Adds them up, from scan conversion on.
-    pub(super) fn add_to<'s>(
-        &self,
-        stats: &mut Stats,
-        states: impl Iterator<Item = &'s FragmentState> + Clone,
-    ) {
-        let any = |uses: fn(&FragmentState) -> bool| states.clone().any(uses);
-        let drawn = self.fragments - self.carried;
-        let after_stencil = drawn - self.stencil_failed;
-        let written = drawn - self.failed;
-        let mut set = |stage: Stage, came: u64, went: u64, on: bool| {
-            let count = stats.stage_mut(stage);
-            (count.came, count.went, count.on) = (came, went, on);
-        };
-        set(Stage::ScanConversion, self.pieces, self.spans, true);
-        set(Stage::Fragments, self.spans, drawn, true);
-        set(Stage::Stencil, drawn, after_stencil, any(|state| state.stencil.is_some()));
-        set(Stage::Depth, after_stencil, written, any(|state| state.depth.test));
-        set(Stage::Blend, written, written, any(|state| state.blend.is_some()));
-        set(Stage::Image, written, written - self.redrawn, true);
-        stats.stage_mut(Stage::Fragments).drop(Reason::Carried, self.carried);
-        stats.stage_mut(Stage::Stencil).drop(Reason::Stencil, self.stencil_failed);
-        stats.stage_mut(Stage::Depth).drop(Reason::Depth, self.failed - self.stencil_failed);
-        stats.stage_mut(Stage::Image).drop(Reason::Redrawn, self.redrawn);
-        stats.skip(Skip::Row, self.row_skipped);
-        stats.skip(Skip::EarlyZ, self.never_colored);
-        stats.tally += self.tally;
-    }
 }
 
 impl Target {
@@ -255,7 +202,8 @@ impl Target {
             self.sampled_triangle(corners, shader, state);
             return;
         }
-        let depths = DepthRows::new(corners.map(|[x, y, z, _]| [x, y, z]), self.state.format, &mut tally);
+        let depths = DepthRows::new(corners.map(|[x, y, z, _]| [x, y, z]), self.state.format, &mut tally)
+            .placed(&state.placement, &mut tally);
         let counts = cover(self.state.rasterizer.algorithm(), vertices, &settings, &mut tally, &mut |span| {
             self.span(span, &depths.row(span.y), shader, state, frame);
         });
@@ -273,21 +221,35 @@ impl Target {
     ) {
         self.counts.spans += 1;
         self.counts.fragments += u64::from(span.len());
+        let whole = frame.index([span.begin, span.y])..frame.index([span.end, span.y]);
+        self.watch.iter_mut().for_each(|watch| watch.generated(whole.clone()));
+        let (span, scissored) = state.scissored(span);
+        self.counts.scissored += scissored;
         self.touch(span);
         let Self { state: image, depth, written, counts, watch, .. } = self;
         let range = frame.index([span.begin, span.y])..frame.index([span.end, span.y]);
-        watch.iter_mut().for_each(|watch| watch.generated(range.clone()));
         let first = range.start;
         let colors = frame.color[4 * range.start..4 * range.end].as_chunks_mut().0;
         let stored = depth.codes_mut(range.clone()).iter_mut().zip(&mut frame.stencil[range.clone()]);
         let pixels = colors.iter_mut().zip(stored).zip(&mut written[range]);
         let early = image.skips.has(Skip::EarlyZ);
-        let Counts { stencil_failed, redrawn, tally, .. } = counts;
+        let when = state.early(early);
+        let early = early && when != Early::Never;
+        let Counts { stencil_failed, redrawn, discarded, tally, .. } = counts;
         let mut failed = 0;
         for (x, ((color, (depth, stencil)), written)) in (span.begin..).zip(pixels) {
             let pixel = [x, span.y];
             let paint = if early { None } else { Some(Paint::new(shader, state, pixel, tally)) };
-            let tested = state.test(stencil, || image.format.test(state.depth, depths.code(x, tally), depth));
+            let passes = |depth: &mut u32, tally: &mut Tally| {
+                !state.depth.test || image.format.test(state.depth, depths.code(x, tally), depth)
+            };
+            let keeps =
+                |tally: &mut Tally| shader.at(centre(x, span.y), tally).is_kept(state.alpha_test, tally);
+            let stored = (stencil, depth);
+            let Some(tested) = when.test(state.stencil.as_ref(), stored, (passes, keeps), tally) else {
+                *discarded += 1;
+                continue;
+            };
             if tested != StencilOutcome::Pass {
                 failed += 1;
                 *stencil_failed += u64::from(tested == StencilOutcome::Fail);

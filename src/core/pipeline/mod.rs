@@ -5,6 +5,8 @@
 //! and degeneracy are decided once, by the unclipped vertices. Every piece of work that can be left
 //! out has a switch in [`Skips`] and a counter in [`Stats`], and never changes the image.
 
+mod counts;
+mod cut;
 mod draw;
 mod enlarged;
 mod evaluate;
@@ -14,8 +16,10 @@ mod gradient;
 mod multisample;
 mod names;
 mod objects;
+mod outcome;
 mod overlay;
 mod pixel;
+mod pixel_why;
 mod pixel_words;
 mod range;
 mod rasterizer;
@@ -24,6 +28,7 @@ mod shader;
 mod skips;
 mod stages;
 mod stats;
+mod visible;
 mod watch;
 mod whole;
 
@@ -33,14 +38,16 @@ pub use evaluate::{Outputs, Pipeline};
 pub use frame::Frame;
 pub use names::{draw_name, screen_names, triangle_name};
 pub use objects::Bounding;
+pub use outcome::{Later, Outcome, PixelEntry, PixelHistory, Placed};
 pub use overlay::{Changed, Layer, Overlay, Wires};
-pub use pixel::{Later, Outcome, PixelEntry, PixelHistory, pixel_history, pixel_history_of};
+pub use pixel::{pixel_history, pixel_history_of};
 pub use range::out_of_range;
 pub use rasterizer::Rasterizer;
 pub use screen_triangle::ScreenTriangle;
 pub use skips::{Skip, Skips};
 pub use stages::{Clipped, ClippedPolygon, Culled, Decision, Fate, Piece, Point};
 pub use stats::{Reason, StageCount, Stats, Unit};
+pub use visible::{Planes, Removed};
 pub use watch::PixelCounts;
 
 use crate::scene::Scene;

@@ -9,7 +9,7 @@ use super::{
     shader::Shader,
 };
 use crate::{
-    depth::{DepthFormat, DepthPlane, DepthState},
+    depth::{DepthFormat, DepthPlane, DepthState, Early},
     math::{Arithmetic, Tally},
     raster::{Samples, Span, cover_samples, edge::centre},
     stencil::StencilOutcome,
@@ -65,15 +65,25 @@ struct Drawn<'d> {
 }
 
 impl Drawn<'_> {
-    /// The pixel's colour, where its shade is computed.
-    fn paint(&self, pixel: [u32; 2], mask: u8, tally: &mut Tally) -> Paint<'_> {
-        let Self { shader, state, image, .. } = self;
-        let point = if mask == image.samples.full() {
+    /// Where the pixel's colour is computed.
+    fn point(&self, pixel: [u32; 2], mask: u8) -> [f32; 2] {
+        let image = &self.image;
+        if mask == image.samples.full() {
             centre(pixel[0], pixel[1])
         } else {
             image.samples.point(pixel, mask.trailing_zeros() as usize, image.y_axis)
-        };
-        Paint::at_point(shader, state, point, tally)
+        }
+    }
+
+    /// The pixel's colour.
+    fn paint(&self, pixel: [u32; 2], mask: u8, tally: &mut Tally) -> Paint<'_> {
+        Paint::at_point(self.shader, self.state, self.point(pixel, mask), tally)
+    }
+
+    /// Whether the alpha test keeps the pixel, all its samples alike.
+    fn is_kept(&self, pixel: [u32; 2], mask: u8, tally: &mut Tally) -> bool {
+        let test = self.state.alpha_test;
+        test.is_none() || self.shader.at(self.point(pixel, mask), tally).is_kept(test, tally)
     }
 
     /// Stencil and depth of one sample.
@@ -96,7 +106,8 @@ impl Target {
     ) {
         let image = self.state;
         let mut tally = Tally::default();
-        let depths = DepthPlane::new(corners.map(|[x, y, z, _]| [x, y, z]), Arithmetic::Exact, &mut tally);
+        let depths = DepthPlane::new(corners.map(|[x, y, z, _]| [x, y, z]), Arithmetic::Exact, &mut tally)
+            .placed(&state.placement, image.format);
         let drawn = Drawn { shader, state, depths, image };
         let (vertices, settings) = (corners.map(|[x, y, ..]| [x, y]), image.settings());
         let mut row = None;
@@ -118,13 +129,36 @@ impl Target {
         let Some(multisample) = multisample else { return };
         watch.iter_mut().for_each(|watch| watch.generated(index..index + 1));
         counts.fragments += 1;
+        if drawn.state.scissor.is_some_and(|scissor| !scissor.holds(pixel)) {
+            counts.scissored += 1;
+            return;
+        }
         let early = image.skips.has(Skip::EarlyZ);
+        let early = early && drawn.state.early(early) != Early::Never;
         let tally = &mut counts.tally;
         let mut paint = if early { None } else { Some(drawn.paint(pixel, mask, tally)) };
+        // Until it is known, nothing is stored: a sample that fails early changes nothing.
+        let mut kept = drawn.state.alpha_test.is_none();
+        if !kept && !early {
+            kept = drawn.is_kept(pixel, mask, tally);
+            if !kept {
+                counts.discarded += 1;
+                return;
+            }
+        }
         let (mut passed, mut reached_depth) = (false, false);
         let samples = multisample.pixel_mut(index).iter_mut().enumerate();
         for (i, sample) in samples.filter(|(i, _)| mask & 1 << i != 0) {
-            let outcome = drawn.test(pixel, i, sample, tally);
+            let mut tested = *sample;
+            let outcome = drawn.test(pixel, i, &mut tested, tally);
+            if outcome == StencilOutcome::Pass && !kept {
+                kept = drawn.is_kept(pixel, mask, tally);
+                if !kept {
+                    counts.discarded += 1;
+                    return;
+                }
+            }
+            *sample = tested;
             reached_depth |= outcome != StencilOutcome::Fail;
             if outcome == StencilOutcome::Pass {
                 passed = true;

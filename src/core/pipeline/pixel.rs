@@ -9,12 +9,14 @@ use super::{
     evaluate::Pipeline,
     fragments::{FragmentState, ImageState, Paint},
     names::triangle_name,
+    outcome::{Later, Outcome, PixelEntry, PixelHistory, Placed},
     shader::Shader,
     stages::{Clipped, Point},
+    visible::Visible,
 };
 use crate::{
     clip::polygon::Plane,
-    cull::{Facing, facing, frustum::triangle_outside},
+    cull::facing,
     depth::{DepthBuffer, DepthPlane},
     math::{Arithmetic, Tally, edge_value},
     raster::{
@@ -28,112 +30,6 @@ use crate::{
 
 /// In a scene with at most this many triangles all are listed, else those whose box holds the pixel.
 const LIST_ALL: usize = 16;
-
-/// What became of a triangle at a pixel.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Outcome {
-    /// Its object lies outside a plane of the frustum.
-    ObjectOutside(Plane),
-    /// It lies outside a plane of the frustum.
-    Outside(Plane),
-    /// It is culled for its facing, or degenerate.
-    Culled {
-        /// Its facing.
-        facing: Facing,
-        /// The determinant of its (x, y, w) before clipping, whose sign is the facing.
-        determinant: f64,
-        /// Whether it would have covered the pixel's centre.
-        would_cover: bool,
-    },
-    /// Nothing is left of it after clipping.
-    ClippedAway,
-    /// A plane cut off the part of it that is seen here.
-    CutOff(Plane),
-    /// It has no area on the screen: rounding made it so.
-    ZeroArea,
-    /// The centre lies outside an edge.
-    OutsideEdge {
-        /// Which edge, from 0.
-        edge: u8,
-        /// The edge function there, negative.
-        value: f64,
-    },
-    /// The centre lies on an edge, and the fill rule gives it to the neighbour.
-    LostTie {
-        /// Which edge, from 0.
-        edge: u8,
-    },
-    /// The stencil test failed.
-    Stencil {
-        /// The stored value before and after.
-        stored: [u8; 2],
-    },
-    /// The depth test failed.
-    Depth {
-        /// The fragment's code.
-        new: u32,
-        /// The stored code.
-        stored: u32,
-        /// The stencil value before and after.
-        stencil: [u8; 2],
-    },
-    /// It was written.
-    Written {
-        /// The fragment's depth code, if the draw tests depth.
-        depth: Option<u32>,
-        /// The depth code stored before.
-        stored: u32,
-        /// Colour codes before and after.
-        color: [[u8; 4]; 2],
-        /// The stencil value before and after.
-        stencil: [u8; 2],
-        /// What later fragments did to it.
-        later: Later,
-    },
-}
-
-/// What became of a written fragment's colour later.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Later {
-    /// It is what the pixel shows.
-    Shown,
-    /// Later fragments were blended over it.
-    BlendedOver,
-    /// A later fragment replaced it.
-    Overwritten,
-}
-
-/// One triangle, or one piece of it, at a pixel.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PixelEntry {
-    /// What it is called: `A`, `A.1`.
-    pub name: String,
-    /// Which draw.
-    pub draw: usize,
-    /// Which triangle of its mesh; `None` for the whole object.
-    pub triangle: Option<u32>,
-    /// What became of it.
-    pub outcome: Outcome,
-}
-
-/// All that happened at one pixel.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PixelHistory {
-    /// Column and row.
-    pub pixel: [u32; 2],
-    /// Colour codes after the clear.
-    pub clear_color: [u8; 4],
-    /// Depth code after the clear.
-    pub clear_depth: u32,
-    /// What came, in drawing order.
-    pub entries: Vec<PixelEntry>,
-    /// Colour codes at the end.
-    pub color: [u8; 4],
-    /// Depth code at the end.
-    pub depth: u32,
-    /// Stencil value at the end.
-    pub stencil: u8,
-}
 
 /// The history of a pixel of the image. `outputs` are those of the same scene.
 pub fn pixel_history(scene: &Scene, outputs: &Outputs, pixel: [u32; 2]) -> PixelHistory {
@@ -194,43 +90,54 @@ impl Probe {
         let mesh = stages.mesh();
         if let Some(plane) = stages.outside() {
             if self.list_all {
-                let outcome = Outcome::ObjectOutside(plane);
                 self.entries.push(PixelEntry {
                     name: draw.name.clone(),
                     draw: index,
                     triangle: None,
-                    outcome,
+                    part: None,
+                    outcome: Outcome::ObjectOutside(plane),
+                    placed: None,
+                    source: None,
                 });
             }
             return;
         }
         let state = FragmentState::new(draw);
+        let visible = Visible { range: self.viewport.depth_range, unclipped: draw.placement.unclipped };
         let mut pieces = &stages.clipped().pieces[..];
         for (triangle, indices) in (0..).zip(&mesh.triangles) {
             let own = pieces.iter().take_while(|piece| piece.triangle == triangle).count();
             let (these, rest) = pieces.split_at(own);
             pieces = rest;
             let clip = indices.map(|i| stages.clip()[i as usize]);
-            let push = |probe: &mut Self, part: Option<u32>, outcome: Outcome| {
-                let name = triangle_name((index, draw), triangle, part);
-                probe.entries.push(PixelEntry { name, draw: index, triangle: Some(triangle), outcome });
+            let entry = |part: Option<u32>, outcome: Outcome| PixelEntry {
+                name: triangle_name((index, draw), triangle, part),
+                draw: index,
+                triangle: Some(triangle),
+                part,
+                outcome,
+                placed: None,
+                source: None,
             };
-            match self.before_screen(clip, draw, stages, triangle) {
+            match self.before_screen(clip, draw, stages, (triangle, visible)) {
                 Some((outcome, near)) => {
                     if near || self.list_all {
-                        push(self, None, outcome);
+                        self.entries.push(entry(None, outcome));
                     }
                 }
                 None if these.is_empty() => {
                     if self.list_all {
-                        push(self, None, Outcome::ClippedAway);
+                        let removed = visible.removed(clip, &mut self.tally);
+                        self.entries.push(entry(None, Outcome::ClippedAway(removed)));
                     }
                 }
                 None => {
                     for piece in these {
-                        let (outcome, near) = self.piece(piece, clip, stages, &state);
-                        if near || self.list_all {
-                            push(self, (these.len() > 1).then_some(piece.part), outcome);
+                        let seen = self.piece(piece, (clip, visible), stages, &state);
+                        if seen.near || self.list_all {
+                            let part = (these.len() > 1).then_some(piece.part);
+                            let Seen { outcome, placed, source, .. } = seen;
+                            self.entries.push(PixelEntry { placed, source, ..entry(part, outcome) });
                         }
                     }
                 }
@@ -244,10 +151,9 @@ impl Probe {
         clip: [Point; 3],
         draw: &Draw,
         stages: &DrawOutputs,
-        triangle: u32,
+        (triangle, visible): (u32, Visible),
     ) -> Option<(Outcome, bool)> {
-        let range = self.viewport.depth_range;
-        if let Some(plane) = triangle_outside(clip, range) {
+        if let Some(plane) = visible.outside(clip) {
             return Some((Outcome::Outside(plane), false));
         }
         let facing = facing(clip, draw.front, &mut self.tally);
@@ -255,7 +161,7 @@ impl Probe {
             return None;
         }
         let mut clipped = Clipped::default();
-        clipped.push(triangle, false, stages.clip(), stages.mesh(), range);
+        clipped.push(triangle, false, stages.clip(), stages.mesh(), visible);
         let place = |i: u32| self.viewport.to_screen(divide(clipped.corners[i as usize]));
         let pieces: Vec<_> = clipped.pieces.iter().map(|piece| piece.corners.map(place)).collect();
         let near = pieces.iter().any(|corners| self.is_near(corners));
@@ -263,26 +169,33 @@ impl Probe {
         Some((Outcome::Culled { facing, determinant: determinant(wide(clip)), would_cover }, near))
     }
 
-    /// What became of a piece on the screen, and whether it was near the pixel.
+    /// What became of a piece on the screen.
     fn piece(
         &mut self,
         piece: &Piece,
-        clip: [Point; 3],
+        (clip, visible): ([Point; 3], Visible),
         stages: &DrawOutputs,
         state: &FragmentState,
-    ) -> (Outcome, bool) {
+    ) -> Seen {
         let corners = piece.corners.map(|i| stages.screen()[i as usize]);
         let near = self.is_near(&corners);
+        let unseen = |outcome, near| Seen { outcome, near, placed: None, source: None };
         if let Some(miss) = self.miss(&corners) {
-            let cut_off = self.cut_off(clip);
-            return (cut_off.map_or(miss, Outcome::CutOff), near || cut_off.is_some());
+            let cut_off = self.cut_off(clip).filter(|plane| visible.clips_at(*plane));
+            return unseen(cut_off.map_or(miss, Outcome::CutOff), near || cut_off.is_some());
         }
-        let plane =
-            DepthPlane::new(corners.map(|[x, y, z, _]| [x, y, z]), Arithmetic::Exact, &mut self.tally);
         let Some(shader) = Shader::new(stages, piece, state.texture, &mut self.tally) else {
-            return (Outcome::ZeroArea, near);
+            return unseen(Outcome::ZeroArea, near);
         };
-        let new = plane.code(self.pixel, self.depth.format(), &mut self.tally);
+        if let Some(outcome) = self.cut(&shader, state) {
+            return unseen(outcome, near);
+        }
+        let format = self.depth.format();
+        let bare = DepthPlane::new(corners.map(|[x, y, z, _]| [x, y, z]), Arithmetic::Exact, &mut self.tally);
+        let plane = bare.placed(&state.placement, format);
+        let placed = (!state.placement.is_plain())
+            .then(|| Placed { plane: bare.depth(self.pixel, &mut self.tally).into(), bias: plane.bias() });
+        let new = plane.code(self.pixel, format, &mut self.tally);
         let (stored, stencil) = (self.depth.code([0, 0]), self.stencil);
         let depth = &mut self.depth;
         let tested = state.test(&mut self.stencil, || depth.test(state.depth, [0, 0], new));
@@ -298,7 +211,22 @@ impl Probe {
                 Outcome::Written { depth, stored, color: [before, self.color], stencil, later: Later::Shown }
             }
         };
-        (outcome, near)
+        let written = tested == StencilOutcome::Pass;
+        let source = written.then(|| shader.at(self.at, &mut self.tally).values(&mut self.tally));
+        Seen { outcome, near, placed, source }
+    }
+
+    /// What keeps a covered pixel from the tests.
+    fn cut(&mut self, shader: &Shader, state: &FragmentState) -> Option<Outcome> {
+        if state.is_plain() {
+            return None;
+        }
+        if let Some(scissor) = state.scissor.filter(|scissor| !scissor.holds(self.pixel)) {
+            return Some(Outcome::Scissored(scissor));
+        }
+        let color = shader.at(self.at, &mut self.tally);
+        let kept = color.is_kept(state.alpha_test, &mut self.tally);
+        (!kept).then(|| Outcome::Discarded { alpha: color.values(&mut self.tally)[3] })
     }
 
     /// Whether the box around a piece holds the pixel's centre.
@@ -355,6 +283,15 @@ impl Probe {
         }
         (z > w).then_some(Plane::Far)
     }
+}
+
+/// What became of a piece on the screen.
+struct Seen {
+    outcome: Outcome,
+    /// Whether it was near the pixel.
+    near: bool,
+    placed: Option<Placed>,
+    source: Option<[f32; 4]>,
 }
 
 fn wide(clip: [Point; 3]) -> [[f64; 4]; 3] {

@@ -1,14 +1,18 @@
 //! What the history of a pixel says: message ids with arguments.
 
-use super::pixel::{Later, Outcome, PixelEntry, PixelHistory};
+use super::outcome::{Later, Outcome, PixelEntry, Placed};
 use crate::{
+    blend::{BlendOperation, Terms},
     cull::Facing,
-    depth::DepthFormat,
+    depth::{DepthFormat, Early},
     explain::Role,
     message::{Message, Value},
     scene::{Draw, Scene},
     stencil::StencilOutcome,
 };
+
+/// The channels' names: message ids.
+const CHANNELS: [&str; 4] = ["row-red", "row-green", "row-blue", "row-alpha"];
 
 impl PixelEntry {
     /// The named reason, in a few words.
@@ -23,13 +27,20 @@ impl PixelEntry {
             Outcome::Culled { facing: Facing::Back, .. } => Message::new("pipeline-pixel-back-facing"),
             Outcome::Culled { facing: Facing::Front, .. } => Message::new("pipeline-pixel-front-facing"),
             Outcome::Culled { facing: Facing::Degenerate, .. } => Message::new("pipeline-pixel-degenerate"),
-            Outcome::ClippedAway => Message::new("pipeline-pixel-clipped-away"),
+            Outcome::ClippedAway(removed) => match removed.last {
+                Some(plane) => {
+                    Message::new("pipeline-pixel-clipped-away").with("plane", Value::Word(plane.word()))
+                }
+                None => Message::new("pipeline-pixel-rounded-away"),
+            },
             Outcome::CutOff(plane) => {
                 Message::new("pipeline-pixel-cut-off").with("plane", Value::Word(plane.word()))
             }
             Outcome::ZeroArea => Message::new("pipeline-pixel-zero-area"),
             Outcome::OutsideEdge { .. } => Message::new("pipeline-pixel-outside-edge"),
             Outcome::LostTie { .. } => Message::new("pipeline-pixel-lost-tie"),
+            Outcome::Scissored(_) => Message::new("pipeline-pixel-scissored"),
+            Outcome::Discarded { .. } => Message::new("pipeline-pixel-discarded"),
             Outcome::Stencil { .. } => Message::new("pipeline-pixel-stencil"),
             Outcome::Depth { .. } => Message::new("pipeline-pixel-depth"),
             Outcome::Written { later: Later::Overwritten, .. } => Message::new("pipeline-pixel-overwritten"),
@@ -58,9 +69,37 @@ impl PixelEntry {
             Outcome::LostTie { edge } => {
                 vec![Message::new("pipeline-pixel-on-edge").with("edge", edge_name(edge))]
             }
+            Outcome::ClippedAway(removed) => removed
+                .others
+                .iter()
+                .map(|plane| {
+                    Message::new("pipeline-pixel-cut-before").with("plane", Value::Word(plane.word()))
+                })
+                .collect(),
+            Outcome::Scissored(scissor) => {
+                let [right, bottom] = scissor.end();
+                let ends = [("left", scissor.x), ("right", right), ("top", scissor.y), ("bottom", bottom)];
+                let message = Message::new("pipeline-pixel-scissor");
+                vec![ends.into_iter().fold(message, |message, (name, end)| message.with(name, end))]
+            }
+            Outcome::Discarded { alpha } => {
+                let test = draw.alpha_test.unwrap_or_default();
+                let sign = test.compare.opposite_sign();
+                let id = if sign.is_empty() { "pipeline-pixel-alpha-never" } else { "pipeline-pixel-alpha" };
+                let numbers = Message::new(id)
+                    .with("alpha", alpha)
+                    .with("compare", Value::text(sign))
+                    .with("reference", test.reference);
+                let early = match Early::of(true, draw.depth.test, draw.stencil.as_ref()) {
+                    Early::Never => "pipeline-pixel-early-never",
+                    Early::Whole | Early::TestOnly => "pipeline-pixel-early-test",
+                };
+                vec![numbers, Message::new(early)]
+            }
             Outcome::Stencil { stored } => self.stencil(draw, stored, StencilOutcome::Fail),
             Outcome::Depth { new, stored, stencil } => {
                 let mut lines = self.stencil(draw, stencil, StencilOutcome::DepthFail);
+                lines.extend(self.placed());
                 lines.extend(depths(
                     "pipeline-pixel-depth-kept",
                     draw.depth.compare.opposite_sign(),
@@ -72,6 +111,7 @@ impl PixelEntry {
             Outcome::Written { depth, stored, color: [before, after], stencil, .. } => {
                 let mut lines = self.stencil(draw, stencil, StencilOutcome::Pass);
                 if let Some(new) = depth {
+                    lines.extend(self.placed());
                     let id = if draw.depth.write {
                         "pipeline-pixel-depth-stored"
                     } else {
@@ -82,11 +122,26 @@ impl PixelEntry {
                 let id =
                     if draw.blend.is_some() { "pipeline-pixel-blended" } else { "pipeline-pixel-replaced" };
                 let codes = |[r, g, b, a]: [u8; 4]| Value::text(format_args!("({r}, {g}, {b}, {a})"));
+                lines.extend(self.blended(draw, before, after));
                 lines.push(Message::new(id).with("before", codes(before)).with("after", codes(after)));
                 lines
             }
             _ => Vec::new(),
         }
+    }
+
+    /// What its depth is made of, if that is not the plane's.
+    fn placed(&self) -> Option<Message> {
+        let Placed { plane, bias } = self.placed?;
+        let sum = (plane + bias).clamp(0.0, 1.0);
+        let id = if bias == 0.0 {
+            "pipeline-pixel-clamped"
+        } else if sum == plane + bias {
+            "pipeline-pixel-biased"
+        } else {
+            "pipeline-pixel-biased-clamped"
+        };
+        Some(Message::new(id).with("plane", plane).with("bias", bias).with("sum", sum))
     }
 
     /// The stencil test with its masks, and what it stored; nothing without one.
@@ -112,9 +167,39 @@ impl PixelEntry {
         vec![test, stored]
     }
 
+    /// The blend equation of each channel in numbers; nothing without one.
+    fn blended(&self, draw: &Draw, before: [u8; 4], after: [u8; 4]) -> Vec<Message> {
+        let (Some(state), Some(source)) = (draw.blend, self.source) else { return Vec::new() };
+        let line = |channel: usize| {
+            let terms = Terms::new(&state, channel, source, before);
+            let id = match state.component(channel).operation {
+                BlendOperation::Add => "pipeline-pixel-blend-add",
+                BlendOperation::Subtract => "pipeline-pixel-blend-subtract",
+                BlendOperation::ReverseSubtract => "pipeline-pixel-blend-reverse",
+                BlendOperation::Min => "pipeline-pixel-blend-min",
+                BlendOperation::Max => "pipeline-pixel-blend-max",
+            };
+            Message::new(id)
+                .with("channel", Value::Word(CHANNELS[channel]))
+                .with("source", terms.source)
+                .with("source-factor", terms.source_factor)
+                .with("stored", terms.stored)
+                .with("stored-factor", terms.stored_factor)
+                .with("result", terms.result)
+                .with("code", Value::text(after[channel]))
+        };
+        (0..4).map(line).collect()
+    }
+
     /// Whether it is a fragment: what a run over the fragments steps through.
     pub fn is_fragment(&self) -> bool {
-        matches!(self.outcome, Outcome::Stencil { .. } | Outcome::Depth { .. } | Outcome::Written { .. })
+        matches!(
+            self.outcome,
+            Outcome::Discarded { .. }
+                | Outcome::Stencil { .. }
+                | Outcome::Depth { .. }
+                | Outcome::Written { .. }
+        )
     }
 
     /// Whether it was drawn, not drawn, or never looked at here.
@@ -122,9 +207,11 @@ impl PixelEntry {
         match self.outcome {
             Outcome::Written { .. } => Role::Accepted,
             Outcome::LostTie { .. } => Role::Tie,
-            Outcome::Stencil { .. } | Outcome::Depth { .. } | Outcome::Culled { would_cover: true, .. } => {
-                Role::Rejected
-            }
+            Outcome::Stencil { .. }
+            | Outcome::Depth { .. }
+            | Outcome::Scissored(_)
+            | Outcome::Discarded { .. }
+            | Outcome::Culled { would_cover: true, .. } => Role::Rejected,
             _ => Role::Skipped,
         }
     }
@@ -145,15 +232,4 @@ fn depths(id: &'static str, sign: &'static str, format: DepthFormat, codes: [u32
 /// An edge's name on the canvas.
 fn edge_name(edge: u8) -> Value {
     Value::text(format_args!("E{edge}"))
-}
-
-impl PixelHistory {
-    /// Who drew the pixel, in one sentence.
-    pub fn sentence(&self) -> Message {
-        let drawn = self.entries.iter().rfind(|entry| matches!(entry.outcome, Outcome::Written { .. }));
-        match drawn {
-            Some(entry) => Message::new("pipeline-pixel-drawn").with("name", Value::text(&entry.name)),
-            None => Message::new("pipeline-pixel-clear"),
-        }
-    }
 }

@@ -6,7 +6,7 @@ use crate::raster::Algorithm;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Rasterizer {
     /// The [`engine`](crate::engine), many triangles at once; scan line where it has no way: several samples a
-    /// pixel, depths in unorm32.
+    /// pixel, depths in unorm32, a draw with scissor, alpha test, depth bias or depth clamp.
     #[default]
     Engine,
     /// One triangle after another.

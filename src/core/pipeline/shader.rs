@@ -6,7 +6,7 @@ use super::{DrawOutputs, Piece, gradient::Gradient};
 use crate::{
     blend::{BlendState, ExactColor, blend},
     interpolate::{Interpolator, Weights, unorm},
-    math::{Approx, Dyadic, Tally, rounded_code},
+    math::{Approx, Dyadic, Tally, rounded_code, rounded_ratio},
     scene::Texture,
 };
 
@@ -158,12 +158,23 @@ impl Color<'_> {
         if channel == 3 { 1.0 } else { self.factor }
     }
 
-    fn approx(&self, channel: usize) -> Approx {
+    /// The alpha of all vertices, if it is one.
+    pub(super) fn uniform_alpha(&self) -> Option<f32> {
+        let [a, b, c] = self.shader.channels[3];
+        (a == b && b == c).then_some(a)
+    }
+
+    /// All four channels, each rounded to f32; to be shown.
+    pub(super) fn values(&self, tally: &mut Tally) -> [f32; 4] {
+        [0, 1, 2, 3].map(|channel| rounded_ratio(self.approx(channel), || self.exact(channel), tally))
+    }
+
+    pub(super) fn approx(&self, channel: usize) -> Approx {
         self.weights.approx(self.shader.channels[channel]) * Approx::from(self.factor(channel))
     }
 
     /// One channel as a quotient without a rounding.
-    fn exact(&self, channel: usize) -> (Dyadic, Dyadic) {
+    pub(super) fn exact(&self, channel: usize) -> (Dyadic, Dyadic) {
         let (value, weight) = self.weights.exact(self.shader.channels[channel]);
         (value * Dyadic::from(self.factor(channel)), weight)
     }

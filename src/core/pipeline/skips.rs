@@ -18,7 +18,8 @@ pub enum Skip {
     Tile,
     /// Pixels of a row behind the triangle's last one. The engine looks at none of them either way.
     Row,
-    /// Colours of fragments that fail the stencil or depth test.
+    /// Colours of fragments that fail the stencil or depth test; of a draw whose fragments may be discarded only
+    /// if failing changes nothing.
     EarlyZ,
     /// Tiles and blocks of pixels in which a triangle lies behind all that is drawn. Only the engine keeps the
     /// farthest depth of each.

@@ -1,9 +1,9 @@
 //! The stages before scan conversion: what each computes, from values to values.
 
-use super::{Skip, Skips};
+use super::{Skip, Skips, visible::Visible};
 use crate::{
-    clip::polygon::{Plane, PlaneSet, clip_triangle},
-    cull::{CullMode, Facing, FrontFace, facing, frustum::outcode},
+    clip::polygon::Plane,
+    cull::{CullMode, Facing, FrontFace, facing},
     math::Tally,
     scene::{Draw, Mesh, Shade},
     transform::{Camera, DepthRange, Projection},
@@ -42,7 +42,7 @@ pub enum Fate {
 pub(super) struct CullKey {
     pub(super) mode: CullMode,
     pub(super) front: FrontFace,
-    pub(super) range: DepthRange,
+    pub(super) visible: Visible,
     pub(super) frustum: bool,
     pub(super) back_face: bool,
     pub(super) degenerate: bool,
@@ -53,7 +53,7 @@ impl CullKey {
         Self {
             mode: draw.cull,
             front: draw.front,
-            range,
+            visible: Visible { range, unclipped: draw.placement.unclipped },
             frustum: skips.has(Skip::Frustum),
             back_face: skips.has(Skip::BackFace),
             degenerate: skips.has(Skip::Degenerate),
@@ -94,7 +94,7 @@ pub(super) fn cull(key: &CullKey, clip: &[Point], mesh: &Mesh) -> Culled {
     // No vertex was transformed if the whole object is outside.
     let triangles = if clip.is_empty() { &[] } else { &mesh.triangles[..] };
     let outcodes: Vec<u8> =
-        clip.iter().map(|&point| if key.frustum { outcode(point, key.range) } else { 0 }).collect();
+        clip.iter().map(|&point| if key.frustum { key.visible.outcode(point) } else { 0 }).collect();
     let outside = |triangle: &[u32; 3]| triangle.map(|i| outcodes[i as usize]);
     let decide = |triangle| key.decide(corners(triangle), outside(triangle), &mut tally);
     let decisions = triangles.iter().map(decide).collect();
@@ -148,7 +148,7 @@ pub struct Clipped {
     pub tally: Tally,
 }
 
-pub(super) fn clip(culled: &Culled, clip: &[Point], mesh: &Mesh, range: DepthRange) -> Clipped {
+pub(super) fn clip(culled: &Culled, clip: &[Point], mesh: &Mesh, visible: Visible) -> Clipped {
     let mut out = Clipped::default();
     for (index, decision) in (0..).zip(&culled.decisions) {
         if decision.fate == Fate::Dropped {
@@ -157,7 +157,7 @@ pub(super) fn clip(culled: &Culled, clip: &[Point], mesh: &Mesh, range: DepthRan
         let carried = decision.fate == Fate::Carried;
         if decision.inside && !carried {
             out.push_whole(index, clip, mesh);
-        } else if !out.push(index, carried, clip, mesh, range) {
+        } else if !out.push(index, carried, clip, mesh, visible) {
             out.lost += 1;
         }
     }
@@ -186,10 +186,10 @@ impl Clipped {
         carried: bool,
         clip: &[Point],
         mesh: &Mesh,
-        range: DepthRange,
+        visible: Visible,
     ) -> bool {
         let indices = mesh.triangles[triangle as usize].map(|i| i as usize);
-        let polygon = clip_triangle(indices.map(|i| clip[i]), range, PlaneSet::All, &mut self.tally);
+        let polygon = visible.clip(indices.map(|i| clip[i]), &mut self.tally);
         let corners = polygon.corners();
         // Where w rounds to zero there is no place on the screen: the eye's own point.
         if corners.is_empty() || corners.iter().any(|corner| corner.position[3] == 0.0) {

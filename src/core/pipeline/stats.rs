@@ -23,6 +23,10 @@ pub enum Reason {
     Clipped,
     /// It was meant to be dropped earlier, but that skip is off.
     Carried,
+    /// The scissor rectangle does not hold its pixel.
+    Scissor,
+    /// The alpha test discarded it.
+    Discarded,
     /// The stencil test failed.
     Stencil,
     /// The depth test failed.
@@ -33,7 +37,7 @@ pub enum Reason {
 
 impl Reason {
     /// Every reason, in pipeline order.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::ObjectFrustum,
         Self::Frustum,
         Self::BackFace,
@@ -41,6 +45,8 @@ impl Reason {
         Self::Degenerate,
         Self::Clipped,
         Self::Carried,
+        Self::Scissor,
+        Self::Discarded,
         Self::Stencil,
         Self::Depth,
         Self::Redrawn,
@@ -56,6 +62,8 @@ impl Reason {
             Self::Degenerate => "degenerate",
             Self::Clipped => "clipped",
             Self::Carried => "carried",
+            Self::Scissor => "scissor",
+            Self::Discarded => "discarded",
             Self::Stencil => "stencil",
             Self::Depth => "depth",
             Self::Redrawn => "redrawn",
@@ -72,6 +80,8 @@ impl Reason {
             Self::Degenerate => "pipeline-reason-degenerate",
             Self::Clipped => "pipeline-reason-clipped",
             Self::Carried => "pipeline-reason-carried",
+            Self::Scissor => "pipeline-reason-scissor",
+            Self::Discarded => "pipeline-reason-discarded",
             Self::Stencil => "pipeline-reason-stencil",
             Self::Depth => "pipeline-reason-depth",
             Self::Redrawn => "pipeline-reason-redrawn",

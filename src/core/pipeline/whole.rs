@@ -5,7 +5,8 @@
 
 use super::{
     DrawOutputs, Frame, Skip, Stats,
-    fragments::{Counts, FragmentState, ImageState, Paint},
+    counts::Counts,
+    fragments::{FragmentState, ImageState, Paint},
     frame::stored_depth,
     gradient::Gradient,
     shader::Shader,
@@ -49,8 +50,9 @@ struct Place {
 
 impl Whole {
     /// Whether the engine has a way to draw such an image.
-    pub(super) fn can_draw(state: &ImageState) -> bool {
-        state.samples == Samples::One && DepthStore::of(state.format).is_some()
+    pub(super) fn can_draw(state: &ImageState, draws: &[FragmentState]) -> bool {
+        let plain = draws.iter().all(FragmentState::is_plain);
+        plain && state.samples == Samples::One && DepthStore::of(state.format).is_some()
     }
 
     /// An image of clear values only, written to `frame`; `None` if the engine has no way to draw it.

@@ -17,6 +17,7 @@ pub mod point;
 mod report;
 mod samples;
 pub mod scanline;
+mod scissor;
 pub mod tiled;
 pub mod traversal;
 pub(crate) mod view;
@@ -25,6 +26,7 @@ pub mod zigzag;
 pub use edge::{Edge, Edges};
 pub use mistake::Mistake;
 pub use samples::{NoPattern, Samples, cover_samples};
+pub use scissor::Scissor;
 
 use crate::math::{Arithmetic, Tally};
 use serde::{Deserialize, Serialize};

@@ -1,12 +1,12 @@
 //! The document: plain values, one struct for each object of the scene file.
 
 use crate::{
-    blend::BlendState,
+    blend::{AlphaTest, BlendState},
     compare::Setting,
     cull::{CullMode, FrontFace},
-    depth::{DepthFormat, DepthState},
+    depth::{DepthFormat, DepthPlacement, DepthState},
     labs::LabInput,
-    raster::{FillRule, YAxis},
+    raster::{FillRule, Scissor, YAxis},
     stencil::StencilState,
     transform::{Camera, DepthRange},
 };
@@ -142,6 +142,12 @@ pub struct Draw {
     pub front: FrontFace,
     /// The depth test.
     pub depth: DepthState,
+    /// What is added to its depths before that, and whether near and far plane clip.
+    pub placement: DepthPlacement,
+    /// The pixels that it may draw to; `None` is all of them.
+    pub scissor: Option<Scissor>,
+    /// Which of its fragments are discarded; `None` is none of them.
+    pub alpha_test: Option<AlphaTest>,
     /// The stencil test; `None` leaves the stencil alone.
     pub stencil: Option<StencilState>,
     /// `None` replaces the stored colour.
@@ -162,6 +168,9 @@ impl Draw {
             cull: CullMode::default(),
             front: FrontFace::default(),
             depth: DepthState::default(),
+            placement: DepthPlacement::default(),
+            scissor: None,
+            alpha_test: None,
             stencil: None,
             blend: None,
             texture: None,

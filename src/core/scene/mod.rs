@@ -28,4 +28,6 @@ pub use validate::{MAX_PIXELS, MAX_SIDE};
 
 pub(crate) use path::FieldError;
 pub(crate) use read::read;
-pub(crate) use validate::{Checked, each_finite, each_in_unit, each_row_finite, refuse_if};
+pub(crate) use validate::{
+    Checked, check_bias, check_cut, each_finite, each_in_unit, each_row_finite, refuse_if,
+};

@@ -53,6 +53,17 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// A whole number of 32 bits, of either sign.
+    fn signed(&self) -> Result<i32, FieldError> {
+        match self.0.as_f64() {
+            Some(x) if x < 0.0 && x.fract() == 0.0 => {
+                let problem = Problem::Range { min: i32::MIN.into(), max: i32::MAX.into() };
+                if x < i32::MIN.into() { Err(FieldError::here(problem)) } else { Ok(x as i32) }
+            }
+            _ => self.whole(i32::MAX as u64).map(|x| x as i32),
+        }
+    }
+
     fn list(&self) -> Result<&'a [Value], FieldError> {
         match self.0 {
             Value::Array(items) => Ok(items),
@@ -99,6 +110,10 @@ impl<'de> Deserializer<'de> for Reader<'de> {
             Some(_) => Err(FieldError::here(Problem::NotFinite)),
             None => self.wrong(Kind::Number),
         }
+    }
+
+    fn deserialize_i32<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, FieldError> {
+        visitor.visit_i32(self.signed()?)
     }
 
     fn deserialize_u8<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, FieldError> {
@@ -166,7 +181,7 @@ impl<'de> Deserializer<'de> for Reader<'de> {
     }
 
     forward_to_deserialize_any! {
-        i8 i16 i32 i64 i128 u16 u128 f64 char bytes byte_buf unit unit_struct newtype_struct
+        i8 i16 i64 i128 u16 u128 f64 char bytes byte_buf unit unit_struct newtype_struct
         tuple_struct map identifier ignored_any
     }
 }

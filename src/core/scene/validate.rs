@@ -8,8 +8,10 @@ use super::{
     path::{FieldError, Step},
 };
 use crate::{
+    blend::AlphaTest,
     compare::Setting,
-    raster::Samples,
+    depth::DepthBias,
+    raster::{Samples, Scissor},
     transform::{Camera, Projection},
 };
 
@@ -172,12 +174,34 @@ fn draw(draw: &Draw) -> Checked {
     for (field, values) in parts {
         each_finite(values).map_err(|e| e.within(*field).within("transform"))?;
     }
+    check_bias(draw.placement.bias).map_err(|e| e.within("bias").within("depth"))?;
+    check_cut(draw.scissor, draw.alpha_test)?;
+    let constant = draw.blend.map_or([0.0; 4], |blend| blend.constant);
+    each_in_unit(&constant).map_err(|e| e.within("constant").within("blend"))?;
     if let Some(Texture::Checker { squares }) = draw.texture {
         refuse_if(squares == 0, "squares", Problem::NotPositive).map_err(|e| e.within("texture"))?;
         let bare = draw.geometry.mesh().is_some_and(|mesh| mesh.uvs.is_empty() && !mesh.triangles.is_empty());
         refuse_if(bare, "texture", Problem::NoTextureCoordinates)?;
     }
     Ok(())
+}
+
+/// Whether a bias is a number.
+pub(crate) fn check_bias(bias: DepthBias) -> Checked {
+    let numbers = [("slope", bias.slope), ("clamp", bias.clamp)];
+    numbers.into_iter().try_for_each(|(field, value)| finite(value).map_err(|e| e.within(field)))
+}
+
+/// Whether what keeps fragments from the tests makes sense.
+pub(crate) fn check_cut(scissor: Option<Scissor>, alpha_test: Option<AlphaTest>) -> Checked {
+    for (i, side) in scissor.map_or([0; 4], <[u32; 4]>::from).into_iter().enumerate() {
+        if side > MAX_SIDE {
+            let range = Problem::Range { min: 0.0, max: f64::from(MAX_SIDE) };
+            return Err(FieldError::at(i, range).within("scissor"));
+        }
+    }
+    let reference = alpha_test.map_or(0.0, |test| test.reference);
+    unit(reference).map_err(|e| e.within("reference").within("alpha_test"))
 }
 
 fn check_mesh(mesh: &Mesh) -> Checked {

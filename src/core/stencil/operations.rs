@@ -3,6 +3,7 @@
 //! *Source:* WebGPU, section 23.2.9 (stencil state); OpenGL 4.6 core, section 17.3.3.
 
 use super::{StencilOperation, StencilState};
+use crate::depth::CompareFunction;
 
 /// How far a fragment came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -90,6 +91,13 @@ impl StencilState {
         }
     }
 
+    /// Whether a fragment that fails can change the stored value; `depth`: there is a depth test to fail.
+    pub fn changes_on_failure(&self, depth: bool) -> bool {
+        let changes = |operation| operation != StencilOperation::Keep;
+        let can_fail = self.compare != CompareFunction::Always;
+        self.write_mask != 0 && (can_fail && changes(self.fail_op) || depth && changes(self.depth_fail_op))
+    }
+
     /// The value stored after a fragment: only the bits of the write mask change.
     #[inline]
     pub fn after(&self, outcome: StencilOutcome, stored: u8) -> u8 {
@@ -101,7 +109,6 @@ impl StencilState {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::depth::CompareFunction;
 
     #[test]
     fn operations_wrap_or_clamp_at_the_ends() {

@@ -11,7 +11,7 @@ pub use snapshot::Snapshot;
 
 use super::{Enlarge, StencilOutcome, StencilState};
 use crate::{
-    depth::{DepthBuffer, DepthFormat, DepthPlane, DepthState, z_buffer::Triangle},
+    depth::{DepthBuffer, DepthFormat, DepthPlane, DepthState, Early, Rules, z_buffer::Triangle},
     math::Tally,
     raster::{self, Algorithm},
     replay::{Budget, Player},
@@ -27,6 +27,8 @@ pub struct Draw {
     pub name: String,
     /// In pixels with depth, in drawing order.
     pub triangles: Vec<Triangle>,
+    /// What the fragments of its triangles meet before the tests; those beyond the last meet nothing.
+    pub rules: Vec<Rules>,
     /// How it was enlarged, and the triangles before that; nothing for what is drawn where it stands.
     pub enlarged: Option<(Enlarge, Vec<Triangle>)>,
     /// The depth test.
@@ -127,6 +129,20 @@ pub enum Event {
         /// How many corners its triangles have now.
         corners: u32,
     },
+    /// Whether its fragments may be tested before their alpha is known; only of draws with an alpha test.
+    Early {
+        /// What may happen before.
+        when: Early,
+    },
+    /// The scissor rectangle took pixels off a row.
+    Scissor {
+        /// The row.
+        y: u16,
+        /// First column, and one past the last.
+        whole: [u16; 2],
+        /// The same of what is left; equal if nothing is.
+        kept: [u16; 2],
+    },
     /// A row of its pixels begins.
     Row {
         /// The row.
@@ -146,6 +162,11 @@ pub enum Event {
         code: u32,
         /// The depth code that its pixel holds.
         depth: u32,
+    },
+    /// The alpha test discarded it: nothing is stored.
+    Discard {
+        /// Its alpha, rounded.
+        alpha: f32,
     },
     /// It failed the stencil test.
     Fail {
@@ -213,9 +234,16 @@ pub fn draw_traced<T: Tracer<Event>>(
         if draw.enlarged.is_some() {
             t.emit(|| Event::Enlarge { corners: 3 * draw.triangles.len() as u32 });
         }
+        let cuts = draw.rules.iter().any(|rules| rules.cutout.is_some());
+        let when = Early::of(cuts, draw.depth.test, draw.stencil.as_ref());
+        if cuts {
+            t.emit(|| Event::Early { when });
+        }
         let mut counts = [0; 3];
-        for triangle in &draw.triangles {
-            draw_triangle_traced(*triangle, (draw, index), settings, (&mut image, &mut counts), tally, t);
+        for (i, triangle) in draw.triangles.iter().enumerate() {
+            let rules = draw.rules.get(i).copied().unwrap_or_default();
+            let triangle = (*triangle, rules, when);
+            draw_triangle_traced(triangle, (draw, index), settings, (&mut image, &mut counts), tally, t);
         }
         let [failed, depth_failed, passed] = counts;
         t.emit(|| Event::Done { failed, depth_failed, passed });
@@ -225,7 +253,7 @@ pub fn draw_traced<T: Tracer<Event>>(
 
 /// One triangle of [`draw_traced`]; counts its fragments by their outcomes.
 fn draw_triangle_traced<T: Tracer<Event>>(
-    triangle: Triangle,
+    (triangle, rules, when): (Triangle, Rules, Early),
     (draw, index): (&Draw, u32),
     settings: &Settings,
     (image, counts): (&mut Image, &mut [u32; 3]),
@@ -233,10 +261,19 @@ fn draw_triangle_traced<T: Tracer<Event>>(
     t: &mut T,
 ) {
     let plane = DepthPlane::new(triangle, settings.raster.arithmetic, tally);
+    let plane = plane.placed(&rules.placement, settings.format);
+    let cut = rules.cut(triangle, tally);
     let mut signs = Tally::default();
     let points = triangle.map(|[x, y, _]| [x, y]);
     raster::cover(settings.algorithm, points, &settings.raster, &mut signs, &mut |span| {
-        let raster::Span { y, begin, end } = span;
+        let raster::Span { y, begin, end } = rules.scissored(span);
+        if end - begin < span.len() {
+            let [whole, kept] = [[span.begin, span.end], [begin, end]].map(|ends| ends.map(|x| x as u16));
+            t.emit(|| Event::Scissor { y: y as u16, whole, kept });
+            if begin == end {
+                return;
+            }
+        }
         t.emit(|| Event::Row { y, begin, end });
         for x in begin..end {
             let pixel = [x, y];
@@ -247,9 +284,14 @@ fn draw_triangle_traced<T: Tracer<Event>>(
             t.emit(|| Event::Fragment { x: x as u16, stored, code, depth });
             let at = image.depth.index(pixel);
             let Image { depth, stencil, .. } = image;
-            let outcome = StencilState::test(draw.stencil.as_ref(), &mut stencil[at], || {
-                depth.test(draw.depth, pixel, code)
-            });
+            let stored = (&mut stencil[at], &mut depth.codes_mut(at..at + 1)[0]);
+            let passes = |stored: &mut u32, _: &mut Tally| settings.format.test(draw.depth, code, stored);
+            let keeps = |tally: &mut Tally| cut.as_ref().is_none_or(|cut| cut.keeps(pixel, tally));
+            let Some(outcome) = when.test(draw.stencil.as_ref(), stored, (passes, keeps), tally) else {
+                let alpha = cut.as_ref().map_or(1.0, |cut| cut.alpha(pixel, tally));
+                t.emit(|| Event::Discard { alpha });
+                continue;
+            };
             counts[outcome as usize] += 1;
             if outcome == StencilOutcome::Pass && draw.visible {
                 image.show(pixel, index);

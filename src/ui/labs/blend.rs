@@ -75,6 +75,9 @@ fn mode(ui: &mut Ui, face: &Face<'_>, input: &mut labs::Blend) {
         heading(ui, face, &face.say(name));
         ui.push_id(name, |ui| equation(ui, face, component));
     }
+    if state.uses_constant() {
+        color(ui, face, &face.say("ui-blend-constant"), &mut state.constant);
+    }
     if state != input.blend_state() {
         input.state = Some(state);
     }

@@ -23,6 +23,7 @@ mod diamond_exit;
 mod draw_line;
 mod edge_table;
 mod fill_triangle;
+mod fragment_state;
 mod frustum_culling;
 mod homogeneous;
 mod interpolation;

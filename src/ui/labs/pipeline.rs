@@ -43,6 +43,7 @@ impl Lab for Pipeline {
         facing(ui, face, document);
         choices::snapping(ui, face, view);
         super::objects::show(ui, face, &mut document.scene);
+        super::fragment_state::of_draws(ui, face, &mut document.scene);
         super::placing::camera(ui, face, &mut document.scene);
         heading(ui, face, &face.say("ui-skips"));
         for (skip, name) in SKIPS {

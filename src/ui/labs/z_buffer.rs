@@ -46,6 +46,7 @@ impl Lab for ZBuffer {
         if triangles != before {
             set_triangles(document, triangles);
         }
+        state(ui, face, document);
     }
 
     fn handles(&self, document: &Document) -> Vec<Handle> {
@@ -109,6 +110,23 @@ fn test(ui: &mut Ui, face: &Face<'_>, document: &mut Document) {
     choices::labelled(ui, face, &name, |ui, width| choices::number(ui, face, width, &name, clear));
     *clear = clear.clamp(0.0, 1.0);
     choices::check(ui, face, "ui-depth-reversed", &mut document.scene.reversed);
+}
+
+/// Bias, depth clamp, scissor and alpha test: of one of the lab's own triangles, or of one of the draws.
+fn state(ui: &mut Ui, face: &Face<'_>, document: &mut Document) {
+    let LabInput::ZBuffer(mut input) = document.input().clone() else { return };
+    let size = document.scene.size;
+    match input.triangles.as_ref().map(Vec::len) {
+        Some(count) => {
+            super::fragment_state::of_triangles(ui, face, (&mut input.states, count), size);
+            choices::check(ui, face, "ui-bias-counts", &mut input.bias);
+        }
+        None => super::fragment_state::of_draws(ui, face, &mut document.scene),
+    }
+    choices::check(ui, face, "ui-early-z", &mut input.early_z);
+    if document.input() != &LabInput::ZBuffer(input.clone()) {
+        *document.input_mut() = input.into();
+    }
 }
 
 /// The lab's own triangles, or those of the scene if they are few.

@@ -5,7 +5,8 @@ use rasterscope_core::{
     explain::Role,
     message::{Message, Value},
     pipeline::{
-        Outcome, Outputs, PixelCounts, PixelHistory, ScreenTriangle, draw_name, pixel_history, triangle_name,
+        Outcome, Outputs, PixelCounts, PixelEntry, PixelHistory, ScreenTriangle, draw_name, pixel_history,
+        triangle_name,
     },
     scene::Scene,
 };
@@ -34,6 +35,7 @@ pub(crate) struct Entry {
     pub(crate) details: Vec<String>,
     /// Whether a run over the fragments steps through it.
     pub(crate) fragment: bool,
+    pub(crate) of: PixelEntry,
 }
 
 impl History {
@@ -44,6 +46,7 @@ impl History {
             role: entry.role(),
             details: entry.details(scene).iter().map(|line| words.message(line)).collect(),
             fragment: entry.is_fragment(),
+            of: entry.clone(),
         });
         Self {
             pixel: history.pixel,

@@ -5,7 +5,7 @@
 
 use rasterscope_core::{
     cull::CullMode,
-    depth::DepthState,
+    depth::{DepthPlacement, DepthState},
     explain::{Grid, Label, Mark, Role, View},
     pipeline::{Fate, Outputs, Pipeline, Skips},
     scene::{Clear, Draw, Scene},
@@ -84,6 +84,8 @@ impl Space {
         let plain = |draw: &Draw| Draw {
             cull: CullMode::None,
             depth: DepthState::default(),
+            placement: DepthPlacement::default(),
+            scissor: None,
             stencil: None,
             blend: None,
             ..draw.clone()

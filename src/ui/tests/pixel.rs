@@ -53,3 +53,29 @@ fn shift_and_the_arrows_move_the_pixel_and_stop_at_the_border() {
     }
     assert_eq!(cursor(&window), step, "the run stays where it is");
 }
+
+#[test]
+fn a_row_whose_step_the_open_lab_lacks_opens_the_lab_that_has_it() {
+    let mut window = window(1280.0, 720.0);
+    for (row, lab) in [
+        ("C: culled: back-facing", "back-face"),
+        ("A.2: outside an edge", "aabb"),
+        ("B: depth test failed", "pipeline"),
+    ] {
+        at(&mut window, [13, 11]);
+        window.get_by_label_contains(row).click();
+        window.run();
+        let app = window.state().app();
+        assert_eq!(app.document.input().name(), lab, "{row}");
+        assert_eq!(app.view.pixel, Some([13, 11]), "the pixel stays chosen");
+    }
+    let shown = window.state().app().run.shown().expect("it runs");
+    assert_eq!(shown.sentence.id, "z-buffer-fail");
+}
+
+#[test]
+fn a_click_tells_why_a_pixel_is_black() {
+    let mut window = window(1280.0, 720.0);
+    at(&mut window, [0, 0]);
+    window.get_by_label_contains("Nothing comes to this pixel");
+}

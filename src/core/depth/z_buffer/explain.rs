@@ -1,9 +1,9 @@
 //! What the lab shows of a z-buffer run.
 
-use super::{Event, Snapshot, snapshot::Fragment};
+use super::{Event, Snapshot, rules, snapshot::Fragment};
 use crate::{
     compare::Fact,
-    depth::{CompareFunction, DepthFormat},
+    depth::{CompareFunction, DepthFormat, scissor_sentence},
     explain::{
         Cells, Explain, Formula, Label, Level, Mark, Marker, Operations, Piece, Role, Row, Sign, Table, View,
     },
@@ -24,8 +24,9 @@ impl Explain for Snapshot {
 
     const LISTING: &'static [&'static str] = &[
         "for each triangle T",
-        "  for each row of its pixels",
-        "    for each pixel: new ← code of T's depth there",
+        "  for each row of its pixels in the scissor rectangle",
+        "    for each pixel: new ← code of T's depth there, with its bias",
+        "      if T's alpha fails there: discard (early z: asked only if new passes)",
         "      if new passes against stored: stored ← new, colour ← T",
         "      else: keep what is there",
     ];
@@ -33,10 +34,11 @@ impl Explain for Snapshot {
     fn line(event: &Event) -> usize {
         match event {
             Event::Triangle { .. } | Event::Done { .. } => 0,
-            Event::Row { .. } => 1,
+            Event::Row { .. } | Event::Scissor { .. } => 1,
             Event::Fragment { .. } => 2,
-            Event::Pass => 3,
-            Event::Fail => 4,
+            Event::Early { .. } | Event::Alpha { .. } => 3,
+            Event::Pass => 4,
+            Event::Fail => 5,
         }
     }
 
@@ -45,6 +47,10 @@ impl Explain for Snapshot {
             // The plane's value at a centre, and what scales it to the format.
             Event::Fragment { .. } => Operations::new(0, 3, 0),
             Event::Pass | Event::Fail => Operations::new(1, 0, 0),
+            // A weighted mean of three, and the comparison.
+            Event::Alpha { .. } => Operations::new(1, 3, 1),
+            // Two ends of a span, and the row itself.
+            Event::Scissor { .. } => Operations::new(4, 0, 0),
             _ => Operations::NONE,
         }
     }
@@ -52,7 +58,7 @@ impl Explain for Snapshot {
     fn level(event: &Event) -> Level {
         match event {
             Event::Done { .. } => Level::Primitive,
-            Event::Row { .. } => Level::Row,
+            Event::Row { .. } | Event::Scissor { .. } => Level::Row,
             _ => Level::Detail,
         }
     }
@@ -62,6 +68,7 @@ impl Explain for Snapshot {
             Event::Triangle { .. } => (Role::Neutral, Some("z-buffer-marker-triangle")),
             Event::Pass => (Role::Accepted, None),
             Event::Fail => (Role::Rejected, None),
+            Event::Alpha { kept: false, .. } => (Role::Skipped, None),
             _ => return None,
         };
         Some(Marker { role, label })
@@ -86,6 +93,15 @@ impl Explain for Snapshot {
                 .with("first", begin)
                 .with("end", end)
                 .with("count", end - begin),
+            Event::Early { when, on } => message(rules::early_id(when, on)),
+            Event::Scissor { y, whole, kept } => {
+                let id = if kept[0] == kept[1] { "z-buffer-scissor-row" } else { "z-buffer-scissor" };
+                scissor_sentence(message(id), y, [whole, kept])
+            }
+            Event::Alpha { alpha, kept } => {
+                let x = self.fragment.map_or(0, |fragment| fragment.x);
+                rules::alpha_sentence(message, (alpha, kept), self).with("x", x).with("y", self.y)
+            }
             Event::Fragment { .. } | Event::Pass | Event::Fail => {
                 let Some(fragment) = self.fragment else { return message("z-buffer-triangle") };
                 message(self.sentence_id(event, &fragment))
@@ -106,7 +122,11 @@ impl Explain for Snapshot {
     fn formulas(&self, event: &Event, out: &mut Vec<Formula>) {
         let Some(fragment) = self.fragment else { return };
         match event {
-            Event::Fragment { .. } => out.extend(self.code_formula(&fragment)),
+            Event::Fragment { .. } => {
+                out.extend(self.bias_formula(&fragment));
+                out.extend(self.code_formula(&fragment));
+            }
+            Event::Alpha { alpha, .. } => out.extend(self.alpha_formula(*alpha)),
             Event::Pass | Event::Fail if self.settings.state.test => {
                 let Some(general) = test(self.settings.state.compare) else { return };
                 let [new, stored] = [fragment.code, fragment.stored].map(|code| self.depth(code));
@@ -130,17 +150,17 @@ impl Explain for Snapshot {
             ];
             out.push(Table { title: "z-buffer-bits", columns: vec!["column-bits"], rows });
         }
+        out.extend(self.bias_table());
         let first = self.counts.len().saturating_sub(MOST_COUNTS);
-        let rows = self.counts.iter().zip(0..).skip(first).map(|([passed, failed], index)| {
+        let columns = self.count_columns();
+        let rows = self.counts.iter().zip(0..).skip(first).map(|(counts, index)| {
             let name = &self.names[index as usize].text;
-            Row::new(name, vec![(passed + failed).into(), (*passed).into(), (*failed).into()])
-                .active(self.triangle == Some(index))
+            let of = columns.iter().map(|(_, what)| counts[*what].into());
+            let all = std::iter::once(counts[..4].iter().sum::<u32>().into()).chain(of);
+            Row::new(name, all.collect()).active(self.triangle == Some(index))
         });
-        out.push(Table {
-            title: "z-buffer-counts",
-            columns: vec!["column-fragments", "column-passed", "column-failed"],
-            rows: rows.collect(),
-        });
+        let names = std::iter::once("column-fragments").chain(columns.iter().map(|(name, _)| *name));
+        out.push(Table { title: "z-buffer-counts", columns: names.collect(), rows: rows.collect() });
     }
 
     fn marks(&self, _event: Option<&Event>, out: &mut Vec<Mark>) {
@@ -191,7 +211,7 @@ impl Explain for Snapshot {
 }
 
 impl Snapshot {
-    fn depth(&self, code: u32) -> Value {
+    pub(super) fn depth(&self, code: u32) -> Value {
         match self.settings.format {
             DepthFormat::F32 => f32::from_bits(code).into(),
             format => format.decode(code).into(),

@@ -6,10 +6,11 @@ use super::super::{
     path::FieldError,
     validate::each_in_unit,
 };
+use super::depth::DepthWire;
 use crate::{
-    blend::BlendState,
+    blend::{AlphaTest, BlendState},
     cull::{CullMode, FrontFace},
-    depth::DepthState,
+    raster::Scissor,
     stencil::StencilState,
 };
 use serde::{Deserialize, Serialize};
@@ -41,7 +42,11 @@ pub(super) struct DrawWire {
     #[serde(skip_serializing_if = "is_default")]
     front: FrontFace,
     #[serde(skip_serializing_if = "is_default")]
-    depth: DepthState,
+    depth: DepthWire,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scissor: Option<Scissor>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    alpha_test: Option<AlphaTest>,
     #[serde(skip_serializing_if = "Option::is_none")]
     stencil: Option<StencilState>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -75,7 +80,10 @@ impl DrawWire {
             transform: self.transform.into_transform().map_err(|e| e.within("transform"))?,
             cull: self.cull,
             front: self.front,
-            depth: self.depth,
+            depth: self.depth.state(),
+            placement: self.depth.placement(),
+            scissor: self.scissor,
+            alpha_test: self.alpha_test,
             stencil: self.stencil,
             blend: self.blend,
             texture: self
@@ -112,7 +120,9 @@ impl From<&Draw> for DrawWire {
             transform: TransformWire::from(draw.transform),
             cull: draw.cull,
             front: draw.front,
-            depth: draw.depth,
+            depth: DepthWire::new(draw.depth, draw.placement),
+            scissor: draw.scissor,
+            alpha_test: draw.alpha_test,
             stencil: draw.stencil,
             blend: draw.blend,
             texture: draw

@@ -6,6 +6,7 @@
 
 mod camera;
 mod compare;
+mod depth;
 mod draw;
 mod lab;
 

@@ -3,7 +3,7 @@
 use super::{Event, Snapshot, StencilOutcome, StencilState, snapshot::Fragment};
 use crate::{
     compare::Fact,
-    depth::CompareFunction,
+    depth::{CompareFunction, Early, scissor_sentence},
     explain::{Cells, Explain, Formula, Level, Mark, Marker, Operations, Piece, Role, Row, Table, View},
     message::{Message, Value},
     raster::view::view_of,
@@ -23,8 +23,9 @@ impl Explain for Snapshot {
     const LISTING: &'static [&'static str] = &[
         "for each draw D",
         "  if D is an outline: enlarge it",
-        "  for each row of its pixels",
+        "  for each row of its pixels in the scissor rectangle",
         "    for each pixel: s ← stored value",
+        "      if D's alpha fails there: discard (early: asked only if all passes)",
         "      if not (ref & mask) compare (s & mask): s ← failOp(s)",
         "      else if D's depth fails: s ← depthFailOp(s)",
         "      else: s ← passOp(s), colour ← D",
@@ -34,11 +35,12 @@ impl Explain for Snapshot {
         match event {
             Event::Draw { .. } | Event::Done { .. } => 0,
             Event::Enlarge { .. } => 1,
-            Event::Row { .. } => 2,
+            Event::Row { .. } | Event::Scissor { .. } => 2,
             Event::Fragment { .. } => 3,
-            Event::Fail { .. } => 4,
-            Event::DepthFail { .. } => 5,
-            Event::Pass { .. } => 6,
+            Event::Early { .. } | Event::Discard { .. } => 4,
+            Event::Fail { .. } => 5,
+            Event::DepthFail { .. } => 6,
+            Event::Pass { .. } => 7,
         }
     }
 
@@ -47,6 +49,10 @@ impl Explain for Snapshot {
             // Three coordinates a corner.
             Event::Enlarge { corners } => Operations::new(0, 3 * u64::from(*corners), 0),
             Event::Fail { .. } => Operations::new(1, 0, 0),
+            // A weighted mean of three, and the comparison.
+            Event::Discard { .. } => Operations::new(1, 3, 1),
+            // Two ends of a span, and the row itself.
+            Event::Scissor { .. } => Operations::new(4, 0, 0),
             Event::DepthFail { .. } | Event::Pass { .. } => Operations::new(2, 0, 0),
             _ => Operations::NONE,
         }
@@ -55,7 +61,7 @@ impl Explain for Snapshot {
     fn level(event: &Event) -> Level {
         match event {
             Event::Enlarge { .. } | Event::Done { .. } => Level::Primitive,
-            Event::Row { .. } => Level::Row,
+            Event::Row { .. } | Event::Scissor { .. } => Level::Row,
             _ => Level::Detail,
         }
     }
@@ -65,6 +71,7 @@ impl Explain for Snapshot {
             Event::Draw { .. } => (Role::Neutral, Some("stencil-marker-draw")),
             Event::Pass { .. } => (Role::Accepted, None),
             Event::Fail { .. } | Event::DepthFail { .. } => (Role::Rejected, None),
+            Event::Discard { .. } => (Role::Skipped, None),
             _ => return None,
         };
         Some(Marker { role, label })
@@ -100,6 +107,19 @@ impl Explain for Snapshot {
                 };
                 message(id).with("amount", enlarge.amount)
             }
+            Event::Early { when } => message(match when {
+                Early::Whole => "stencil-early-whole",
+                Early::TestOnly => "stencil-early-test",
+                Early::Never => "stencil-early-never",
+            }),
+            Event::Scissor { y, whole, kept } => {
+                let id = if kept[0] == kept[1] { "stencil-scissor-row" } else { "stencil-scissor" };
+                scissor_sentence(message(id), y, [whole, kept])
+            }
+            Event::Discard { alpha } => message("stencil-discard")
+                .with("x", self.fragment.map_or(0, |fragment| fragment.x))
+                .with("y", self.y)
+                .with("alpha", alpha),
             Event::Row { y, begin, end } => message("stencil-row")
                 .with("y", y)
                 .with("first", begin)

@@ -122,7 +122,14 @@ impl State for Snapshot {
                 self.counts.push([0; 3]);
             }
             Event::Enlarge { .. } => self.enlarged = true,
+            Event::Early { .. } => {}
+            Event::Scissor { y, .. } => (self.y, self.fragment) = (y.into(), None),
             Event::Row { y, .. } => (self.y, self.fragment) = (y, None),
+            Event::Discard { .. } => {
+                if let Some(fragment) = self.fragment {
+                    self.verdicts.push(([fragment.x as u16, self.y as u16], Role::Skipped));
+                }
+            }
             Event::Fragment { x, stored, code, depth } => {
                 let x = u32::from(x);
                 let arrived = &mut self.arrived[self.image.depth.index([x, self.y])];

@@ -3,7 +3,7 @@
 use super::{inset, part_line};
 use crate::{
     face::{Command, Face},
-    overview::{Entry, History},
+    overview::History,
     paint,
     theme::{self, Text},
     widgets::text_in,
@@ -20,33 +20,25 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, history: Option<&History>) {
         });
     };
     head(ui, face, history);
+    inset(ui, |ui| {
+        ui.label(face.rich(&history.sentence, Text::Sentence));
+        ui.add_space(4.0);
+    });
     go_to(ui, face, history);
     ui.add_space(8.0);
     part_line(ui, face);
-    let clear = Entry {
-        name: face.say("ui-pixel-clear"),
-        reason: face.say_with(
-            "ui-pixel-clear-depth",
-            "depth",
-            rasterscope_core::message::Value::text(&history.clear),
-        ),
-        role: Role::Skipped,
-        details: Vec::new(),
-        fragment: false,
-    };
-    show_entry(ui, face, &clear, None);
+    let clear = face.say_with(
+        "ui-pixel-clear-depth",
+        "depth",
+        rasterscope_core::message::Value::text(&history.clear),
+    );
+    show_entry(ui, face, [&face.say("ui-pixel-clear"), &clear], (Role::Skipped, &[]), None);
     part_line(ui, face);
-    let mut fragments = 0;
-    for entry in &history.entries {
-        show_entry(ui, face, entry, entry.fragment.then_some(fragments));
-        fragments += usize::from(entry.fragment);
+    for (index, entry) in history.entries.iter().enumerate() {
+        let texts = [&entry.name[..], &entry.reason];
+        show_entry(ui, face, texts, (entry.role, &entry.details), Some(index));
         part_line(ui, face);
     }
-    inset(ui, |ui| {
-        ui.add_space(10.0);
-        ui.label(face.rich(&history.sentence, Text::Sentence));
-        ui.add_space(10.0);
-    });
 }
 
 fn head(ui: &mut Ui, face: &Face<'_>, history: &History) {
@@ -83,24 +75,29 @@ fn go_to(ui: &mut Ui, face: &Face<'_>, history: &History) {
     }
 }
 
-/// One entry; that of a fragment, counted from 0, goes to its step.
-fn show_entry(ui: &mut Ui, face: &Face<'_>, entry: &Entry, fragment: Option<usize>) {
+/// One entry, by name and reason; a numbered one goes to the step, or the lab, that decided about it.
+fn show_entry(
+    ui: &mut Ui,
+    face: &Face<'_>,
+    [name, reason]: [&str; 2],
+    (role, details): (Role, &[String]),
+    index: Option<usize>,
+) {
     let look = face.look;
     let line = look.line_height(Text::Mono);
     let room = ui.available_width() - 56.0;
-    let details = entry
-        .details
+    let details = details
         .iter()
         .map(|text| ui.painter().layout(text.clone(), look.font(Text::Listing), look.text, room));
     let details: Vec<_> = details.collect();
     let height = 14.0 + line + details.iter().map(|galley| galley.size().y + 3.0).sum::<f32>();
-    let sense = if fragment.is_some() { Sense::click() } else { Sense::hover() };
+    let sense = if index.is_some() { Sense::click() } else { Sense::hover() };
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), sense);
-    let part = if fragment.is_some() { Part::Button } else { Part::Label };
-    response.widget_info(|| WidgetInfo::labeled(part, true, format!("{}: {}", entry.name, entry.reason)));
-    if let Some(index) = fragment {
+    let part = if index.is_some() { Part::Button } else { Part::Label };
+    response.widget_info(|| WidgetInfo::labeled(part, true, format!("{name}: {reason}")));
+    if let Some(index) = index {
         if response.clicked() {
-            face.ask(Command::ToFragment(index));
+            face.ask(Command::ToEntry(index));
         }
         if response.hovered() || response.has_focus() {
             ui.painter().rect_filled(rect, 0, look.raised);
@@ -110,26 +107,21 @@ fn show_entry(ui: &mut Ui, face: &Face<'_>, entry: &Entry, fragment: Option<usiz
         return;
     }
     let painter = ui.painter();
-    let color = look.role(entry.role);
+    let color = look.role(role);
     painter.rect_filled(Rect::from_min_size(rect.min, vec2(4.0, height)), 0, color);
     let y = rect.top() + 7.0 + line / 2.0;
-    paint::marker(painter, pos2(rect.left() + 22.0, y), entry.role, 12.0, look);
+    paint::marker(painter, pos2(rect.left() + 22.0, y), role, 12.0, look);
     let row = |y: f32| {
         Rect::from_min_max(
             pos2(rect.left() + 40.0, y - line / 2.0),
             pos2(rect.right() - 16.0, y + line / 2.0),
         )
     };
-    let name = painter.text(
-        row(y).left_center(),
-        Align2::LEFT_CENTER,
-        &entry.name,
-        look.font(Text::Strong),
-        look.text,
-    );
-    let beside = row(y).with_min_x(name.right() + 10.0);
-    let reason = if entry.role == Role::Skipped { look.dim } else { color };
-    text_in(painter, beside, Align2::RIGHT_CENTER, &entry.reason, look.font(Text::Strong), reason);
+    let named =
+        painter.text(row(y).left_center(), Align2::LEFT_CENTER, name, look.font(Text::Strong), look.text);
+    let beside = row(y).with_min_x(named.right() + 10.0);
+    let tone = if role == Role::Skipped { look.dim } else { color };
+    text_in(painter, beside, Align2::RIGHT_CENTER, reason, look.font(Text::Strong), tone);
     let mut at = pos2(rect.left() + 40.0, rect.top() + 9.0 + line);
     for detail in details {
         let height = detail.size().y;

@@ -594,7 +594,7 @@ preset-depth-bias-too-much-name = Too much bias
 preset-depth-bias-too-much = B stands in front of the wall A, and C is a decal on the wall. So large a bias lifts C not only off the wall, but through B, too.
 
 preset-depth-bias-slope-name = Stripes of a steep surface
-preset-depth-bias-slope = A to H are what a light saw, two pixels wide each; I and J are the surface itself. Half its pixels lie behind their own step. A bias by the slope cures that on any slope; a constant does not.
+preset-depth-bias-slope = A to H are what a light saw, in steps two pixels wide; I and J are the surface itself. Half its pixels lie behind their own step. A bias by the slope cures that on any slope; a constant does not.
 
 preset-depth-unclipped-name = In front of the near plane
 preset-depth-unclipped = A reaches from in front of the near plane to behind it and is cut there. B does the same without clipping: what is too near is drawn at depth 0.

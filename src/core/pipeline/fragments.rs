@@ -221,13 +221,12 @@ impl Target {
     ) {
         self.counts.spans += 1;
         self.counts.fragments += u64::from(span.len());
-        let whole = frame.index([span.begin, span.y])..frame.index([span.end, span.y]);
-        self.watch.iter_mut().for_each(|watch| watch.generated(whole.clone()));
         let (span, scissored) = state.scissored(span);
         self.counts.scissored += scissored;
         self.touch(span);
         let Self { state: image, depth, written, counts, watch, .. } = self;
         let range = frame.index([span.begin, span.y])..frame.index([span.end, span.y]);
+        watch.iter_mut().for_each(|watch| watch.generated(range.clone()));
         let first = range.start;
         let colors = frame.color[4 * range.start..4 * range.end].as_chunks_mut().0;
         let stored = depth.codes_mut(range.clone()).iter_mut().zip(&mut frame.stencil[range.clone()]);

@@ -52,6 +52,7 @@ mod replay;
 mod scanline;
 mod scene;
 mod scene_errors;
+mod skips;
 mod stencil;
 mod support;
 mod sutherland_hodgman;

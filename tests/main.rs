@@ -54,6 +54,7 @@ mod scanline;
 mod scene;
 mod scene_errors;
 mod shading;
+mod skips;
 mod stencil;
 mod support;
 mod sutherland_hodgman;

@@ -2,7 +2,7 @@
 
 use clap::{Arg, ArgAction, ArgMatches, Command, builder::PossibleValuesParser, value_parser};
 use rasterscope_cli::{
-    bench::{BenchOptions, Subject},
+    bench::{BenchOptions, Subject, skips::SkipsOptions},
     figure::{self, AnimateOptions, FigureOptions},
     tour::TourOptions,
     trace::{TraceFormat, TraceOptions},
@@ -34,6 +34,8 @@ pub(crate) enum Request {
     Tour(TourOptions),
     /// Measurements.
     Bench(BenchOptions),
+    /// What each skip saves.
+    Skips(SkipsOptions),
     /// What there is.
     List,
 }
@@ -138,10 +140,11 @@ fn command(words: &Words) -> Command {
             sub("bench", "app-bench")
                 .arg(
                     Arg::new("what")
-                        .value_name("claims|growth")
+                        .value_name("claims|growth|skips")
                         .help(words.word("app-bench-what"))
-                        .value_parser(names(&Subject::NAMED.map(|(name, _)| name))),
+                        .value_parser(names(&["claims", "growth", "skips"])),
                 )
+                .arg(path("file", "app-bench-file").requires("what"))
                 .arg(choice("operation", "app-bench-operation", &STAGES.each_ref().map(|stage| stage.name)))
                 .arg(choice("workload", "app-bench-workload", &Family::ALL.map(Family::name)))
                 .arg(choice("error", "app-bench-error", &ErrorKind::ALL.map(ErrorKind::name)))
@@ -209,6 +212,11 @@ fn request(matches: &ArgMatches) -> Request {
             file: path(matches, "file"),
             output: path(matches, "output").unwrap_or_default(),
         }),
+        "bench" if text("what") == "skips" => Request::Skips(SkipsOptions {
+            file: path(matches, "file"),
+            json: matches.get_flag("json"),
+            rounds: matches.get_one("rounds").copied().unwrap_or(rasterscope_measure::ROUNDS),
+        }),
         "bench" => Request::Bench(BenchOptions {
             subject: Subject::NAMED
                 .into_iter()
@@ -262,6 +270,9 @@ mod tests {
         }
         let laid = read("rasterscope figure pipeline a.json --overlay written -o a.svg");
         assert!(laid.unwrap_or_default().contains("overlay: Written"));
+        let skips = read("rasterscope bench skips a.json --json --rounds 3");
+        let expected = "Skips(SkipsOptions { file: Some(\"a.json\"), json: true, rounds: 3 })";
+        assert_eq!(skips.as_deref(), Ok(expected));
         let film = read("rasterscope figure z-buffer a.json --animate --level row --delay 80 -o a.png");
         let film = film.unwrap_or_default();
         for part in ["Animate(", "Some(Row)", "delay: 80"] {

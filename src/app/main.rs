@@ -39,6 +39,7 @@ fn main() -> ExitCode {
             with_progress(|progress| figure::animate(&options, film, progress))
         }
         Request::Tour(options) => write_tour(&options).map(|_| ()),
+        Request::Skips(options) => with_progress(|progress| bench::skips::skips(&options, output, progress)),
         Request::Bench(options) => with_progress(|progress| bench::bench(&options, output, progress)),
         Request::List => list::list(output),
     };

@@ -8,6 +8,7 @@ pub mod claims;
 pub mod growth;
 pub mod pictures;
 pub mod race;
+pub mod skips;
 pub mod tables;
 
 mod machine;

@@ -20,6 +20,7 @@ use crate::{
         inspector::Digest,
         notice::{Beyond, Notice},
     },
+    skips::Measured,
     theme::{self, Look},
 };
 use egui::{Context, Ui};
@@ -41,6 +42,8 @@ pub struct App {
     pub(crate) evaluation: Evaluation,
     pub(crate) digest: Option<Digest>,
     pub(crate) overview: Overview,
+    /// What the skips save, as measured.
+    pub(crate) skips: Measured,
     pub(crate) canvas: Canvas,
     /// The canvas of side B.
     pub(crate) beside: Canvas,
@@ -96,6 +99,7 @@ impl App {
             evaluation: Evaluation::default(),
             digest: None,
             overview: Overview::default(),
+            skips: Measured::default(),
             canvas: Canvas::default(),
             beside: Canvas::default(),
             textures: Textures::default(),
@@ -147,6 +151,7 @@ impl App {
         self.execute(&ctx, commands, platform);
         self.end_opening(&ctx, platform);
         self.end_film(&ctx, platform);
+        self.end_skips(&ctx);
         self.end_measuring(&ctx);
         self.play(&ctx);
         if self.only_opening(&ctx) {

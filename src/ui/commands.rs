@@ -77,6 +77,7 @@ impl App {
             Command::Split => self.one(ctx, Command::AskCompare, platform),
             Command::Compare(setting) => self.compare(setting),
             Command::OfSide(side, setting) => self.edit(|document| document.choose(side, setting)),
+            Command::MeasureSkips => self.measure_skips(ctx, platform),
             Command::Explain(side) => self.run.explain(side),
             Command::Keys => self.view.keys = !self.view.keys,
             Command::Choices => self.view.choices = !self.view.choices,

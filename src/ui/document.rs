@@ -173,6 +173,8 @@ pub(crate) enum Scenery {
     Image,
     /// The scene and its frustum from outside.
     Space,
+    /// What each skip leaves out.
+    Skips,
 }
 
 /// How the document is looked at: saved, but not undone.

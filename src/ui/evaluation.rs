@@ -224,7 +224,7 @@ impl App {
         let pending = self.evaluation.pending.as_ref();
         let Some((pending, [done, all])) = pending.and_then(|each| Some((each, each.task.progress(now)?)))
         else {
-            return self.filming(now);
+            return self.measuring_skips(now).or_else(|| self.filming(now));
         };
         let text = self.words.word(match (done, pending.image) {
             (0, true) => "ui-busy-image",

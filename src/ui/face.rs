@@ -130,6 +130,8 @@ pub(crate) enum Command {
     AskCompare,
     /// Show two sides that differ in a setting, or one side only.
     Compare(Option<Setting>),
+    /// Measure what each skip saves.
+    MeasureSkips,
     /// Leave the split view, or show what can be compared.
     Split,
     /// Choose what a side has of the setting in which they differ.

@@ -102,6 +102,7 @@ impl App {
 
     /// Stops what the timeline shows the progress of.
     pub(crate) fn stop(&mut self) {
+        self.skips.stop();
         if self.measure.open {
             self.measure.stop();
         } else if self.opening.take().is_none()

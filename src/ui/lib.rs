@@ -30,6 +30,7 @@ mod recent;
 mod run;
 mod session;
 mod shell;
+mod skips;
 mod split;
 mod task;
 mod theme;

@@ -52,6 +52,7 @@ error-unknown-lab = There is no lab { $lab }. Known: { $known }.
 error-bench-ending = { $file } must end in .svg, .png, .csv or .json.
 error-figure-ending = { $file } must end in .svg or .png.
 error-animation-ending = { $file } must end in .png or .apng: an animated picture is an animated PNG.
+error-skips-changed = A skip changed a byte of colour, depth or stencil: please report this scene.
 error-figure-overlay = Only the image at the end of the lab pipeline has overlays: leave out --step or --overlay.
 error-figure-size = The size must be WIDTHxHEIGHT, each from 16 to 8192.
 

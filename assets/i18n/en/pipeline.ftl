@@ -95,3 +95,10 @@ pipeline-overlay-written = fragments written
 pipeline-overlay-wireframe = wireframe
 pipeline-overlay-triangle = triangle at pointer
 pipeline-overlay-changed = changed pixels
+
+pipeline-work-triangles = triangles
+pipeline-work-pixels = pixels tested
+pipeline-work-colors = colours computed
+pipeline-work-cleared = pixels cleared
+pipeline-work-stages = stages run
+pipeline-work-tiles = tiles and blocks

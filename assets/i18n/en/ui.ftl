@@ -108,6 +108,7 @@ ui-readout-fragments = { $written } of { $generated } { $generated ->
    *[other] fragments
 } written
 ui-readout-triangle = triangle { $number } of { $count } in { $name }
+ui-scenery-skips = Skips
 ui-overlay = On the image
 ui-overlay-is = { ui-overlay }: { $name }
 ui-busy-overlay = Counting what lies on the image

@@ -8,6 +8,7 @@ mod claims;
 mod growth;
 mod machine;
 mod output;
+pub mod skips;
 mod table;
 
 use rasterscope_core::{
@@ -127,14 +128,19 @@ impl Bench<'_, '_> {
 
     /// A bar of a terminal, and what is being done.
     fn tell(&mut self, done: usize, all: usize, what: &str) {
-        const WIDTH: usize = 24;
-        let full = done * WIDTH / all.max(1);
-        let bar = format!("{}{}", "█".repeat(full), "░".repeat(WIDTH - full));
-        let count = |count: usize| Value::Int(count as i64);
-        let message = Message::new("bench-progress").with("bar", Value::text(bar));
-        let message = message.with("done", count(done)).with("all", count(all));
-        self.progress.say(&message.with("what", Value::text(what)));
+        tell(self.progress, done, all, what);
     }
+}
+
+/// A bar of a terminal, and what is being done.
+fn tell(progress: &mut Progress<'_>, done: usize, all: usize, what: &str) {
+    const WIDTH: usize = 24;
+    let full = done * WIDTH / all.max(1);
+    let bar = format!("{}{}", "█".repeat(full), "░".repeat(WIDTH - full));
+    let count = |count: usize| Value::Int(count as i64);
+    let message = Message::new("bench-progress").with("bar", Value::text(bar));
+    let message = message.with("done", count(done)).with("all", count(all));
+    progress.say(&message.with("what", Value::text(what)));
 }
 
 fn json(value: &impl Serialize, output: &mut dyn Write) -> io::Result<()> {

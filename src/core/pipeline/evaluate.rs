@@ -109,12 +109,18 @@ impl Pipeline {
     ///
     /// Without the skip `memo` everything is computed anew and the counts of runs start again.
     pub fn update(&mut self, scene: &Scene, skips: &Skips) -> &Outputs {
+        self.update_in_parts(scene, skips, &mut || {})
+    }
+
+    /// [`update`](Self::update); calls `between` when the stages before the screen are done.
+    pub fn update_in_parts(&mut self, scene: &Scene, skips: &Skips, between: &mut dyn FnMut()) -> &Outputs {
         if !skips.has(Skip::Memo) {
             *self = Self { bounding: self.bounding, ..Self::new(self.rasterizer) };
         }
         let runs = |outputs: &Outputs| outputs.draws.iter().map(|draw| draw.runs().total()).sum::<usize>();
         let before = runs(&self.outputs) + self.image.runs();
         self.update_geometry(scene, *skips);
+        between();
         self.draw_image(scene, skips);
         let stages = DrawRuns::STAGES * scene.draws.len() + 1;
         let ran = (runs(&self.outputs) + self.image.runs()).saturating_sub(before);

@@ -33,6 +33,7 @@ mod stats;
 mod visible;
 mod watch;
 mod whole;
+mod work;
 
 pub use draw::{DrawOutputs, DrawRuns};
 pub use enlarged::enlarged_triangles;
@@ -54,6 +55,7 @@ pub use stages::{Clipped, ClippedPolygon, Culled, Decision, Fate, Piece, Point};
 pub use stats::{Reason, StageCount, Stats, Unit};
 pub use visible::{Planes, Removed};
 pub use watch::PixelCounts;
+pub use work::Work;
 
 use crate::scene::Scene;
 

@@ -185,6 +185,12 @@ impl Overview {
         Rc::clone(chips)
     }
 
+    /// What the stages counted, and of which scene; `None` while the pipeline is lent.
+    pub(crate) fn counted(&self) -> Option<(&Stats, &Scene)> {
+        let (scene, _) = self.seen.as_ref()?;
+        Some((&self.pipeline.as_ref()?.outputs().frame.stats, scene))
+    }
+
     /// What came into every stage, what went out, what was dropped.
     pub(crate) fn table(&mut self, words: &Words) -> Rc<TextTable> {
         let stats = self.pipeline.as_ref().map(|pipeline| &pipeline.outputs().frame.stats);

@@ -13,6 +13,13 @@ use rasterscope_core::{
     scene::Scene,
 };
 
+/// What the canvas may show, from the right.
+const SCENERIES: [(&str, Scenery); 3] = [
+    ("ui-scenery-skips", Scenery::Skips),
+    ("ui-scenery-space", Scenery::Space),
+    ("ui-scenery-image", Scenery::Image),
+];
+
 /// Shows the header.
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, rect: Rect, scene: &Scene, view: &mut ViewState) {
     let image = view.scenery == Scenery::Image;
@@ -20,12 +27,13 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, rect: Rect, scene: &Scene, view
     if image && toggle(ui, face, &mut x, rect, "ui-outlines", view.outlines) {
         view.outlines = !view.outlines;
     }
-    for (name, scenery) in [("ui-scenery-space", Scenery::Space), ("ui-scenery-image", Scenery::Image)] {
+    for (name, scenery) in SCENERIES {
         if toggle(ui, face, &mut x, rect, name, view.scenery == scenery) {
             view.scenery = scenery;
         }
     }
-    let name = face.say(if image { "ui-scenery-image" } else { "ui-scenery-space" });
+    let name = SCENERIES.iter().find(|(_, scenery)| *scenery == view.scenery).map_or("", |(name, _)| *name);
+    let name = face.say(name);
     let galley = ui.painter().layout_no_wrap(name, face.look.font(Text::Strong), face.look.text);
     let at = pos2(rect.left() + 14.0, rect.center().y - galley.size().y / 2.0);
     let end = at.x + galley.size().x;

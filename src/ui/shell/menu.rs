@@ -15,7 +15,8 @@ use rasterscope_core::message::Value;
 use rasterscope_figure::theme::ThemeName;
 
 /// What the palette has beside the keys.
-pub(crate) const WITHOUT_KEY: [(&str, Command); 4] = [
+pub(crate) const WITHOUT_KEY: [(&str, Command); 5] = [
+    ("measure-skips-ask", Command::MeasureSkips),
     ("ui-file-reset", Command::Reset),
     ("ui-copy-values", Command::CopyValues),
     ("ui-help-hints", Command::Hints),

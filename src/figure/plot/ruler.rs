@@ -71,7 +71,7 @@ impl Ruler {
             Scale::Linear => value,
         };
         let part = (value - self.low) / (self.high - self.low);
-        part.is_finite().then(|| (self.begin + part * (self.end - self.begin)) as f32)
+        part.is_finite().then_some((self.begin + part * (self.end - self.begin)) as f32)
     }
 
     /// The place on the axis proper that is nearest to a place.

@@ -37,16 +37,16 @@ impl Snapshot {
     fn end(&self, place: Place) -> [f32; 2] {
         match place {
             Place::Position([x, y, _]) => [x, y],
-            Place::Direction(d) => self.from_point(d),
+            Place::Direction(d) => self.beside_point(d),
         }
     }
 
     /// Where the normal as given ends.
     fn tip(&self) -> [f32; 2] {
-        self.from_point(self.subject.surface.normal)
+        self.beside_point(self.subject.surface.normal)
     }
 
-    fn from_point(&self, [x, y, _]: [f32; 3]) -> [f32; 2] {
+    fn beside_point(&self, [x, y, _]: [f32; 3]) -> [f32; 2] {
         let at = self.subject.surface.position;
         [at[0] + x, at[1] + y]
     }
@@ -81,7 +81,7 @@ impl Snapshot {
         let [normal, ..] = self.units;
         if normal.is_none() {
             let (to, name) = match self.turned {
-                Some(turned) => (self.from_point(turned), "N′"),
+                Some(turned) => (self.beside_point(turned), "N′"),
                 None => (self.tip(), "N"),
             };
             let role = if self.turned.is_some() { Role::Active } else { Role::Neutral };
@@ -90,7 +90,7 @@ impl Snapshot {
         for (i, unit) in self.units.into_iter().enumerate() {
             let Some(unit) = unit.filter(|unit| *unit != [0.0; 3]) else { continue };
             let role = if is_about(event, i) { Role::Active } else { Role::Neutral };
-            out.push(segment(self.from_point(unit), role, UNITS[i]));
+            out.push(segment(self.beside_point(unit), role, UNITS[i]));
         }
         if let Some(bisector) = self.bisector {
             let name = if self.subject.material.model == Model::Phong { "r" } else { "h" };
@@ -99,7 +99,7 @@ impl Snapshot {
                 Some(Event::Mirrored { .. } | Event::Halfway { .. } | Event::Highlight { .. })
             );
             let role = if now { Role::Active } else { Role::Changed };
-            out.push(segment(self.from_point(bisector), role, name));
+            out.push(segment(self.beside_point(bisector), role, name));
         }
         let behind = matches!(event, Some(Event::Behind));
         let role = if behind { Role::Rejected } else { Role::Neutral };

@@ -86,8 +86,11 @@ fn overlay(ui: &mut Ui, face: &Face<'_>, x: &mut f32, rect: Rect, view: &mut Vie
     });
     let galley = ui.painter().layout_no_wrap(label, font, face.look.dim);
     let start = pos2(*x - galley.size().x, rect.center().y - galley.size().y / 2.0);
-    *x = start.x - 10.0;
-    ui.painter().galley(start, galley, face.look.dim);
+    // The tooltip says it, too.
+    if start.x >= rect.left() + 14.0 {
+        *x = start.x - 10.0;
+        ui.painter().galley(start, galley, face.look.dim);
+    }
 }
 
 /// A button that stays pressed, to the left of `x`; moves `x` to its left.

@@ -102,3 +102,7 @@ pipeline-work-colors = colours computed
 pipeline-work-cleared = pixels cleared
 pipeline-work-stages = stages run
 pipeline-work-tiles = tiles and blocks
+pipeline-pixel-light-flat = lit once for the face: factor { $factor }
+pipeline-pixel-light-gouraud = lit at the vertices: { $color } comes here
+pipeline-pixel-light-inputs = P = { $place }, N = { $normal }
+pipeline-pixel-light-terms = ambient { $ambient } + diffuse { $diffuse }, specular { $specular }

@@ -43,8 +43,6 @@ word-model-phong = Phong, r·v
 word-model-blinn-phong = Blinn-Phong, n·h
 word-one-side-lit = one
 word-both-sides-lit = both
-compare-model = Highlight
-compare-sides-lit = Sides lit
 mistake-model-normals = normals by the model matrix
 mistake-model-normals-effect = under uneven scale the normal leans, and the light with it
 mistake-not-renormalised = interpolated normals used as they are
@@ -108,7 +106,3 @@ row-shade-code = codes
 row-shade-matte = matte
 row-shade-gloss = gloss
 
-pipeline-pixel-light-flat = lit once for the face: factor { $factor }
-pipeline-pixel-light-gouraud = lit at the vertices: { $color } comes here
-pipeline-pixel-light-inputs = P = { $place }, N = { $normal }
-pipeline-pixel-light-terms = ambient { $ambient } + diffuse { $diffuse }, specular { $specular }

@@ -173,6 +173,37 @@ fn no_skip_changes_a_byte_and_each_is_counted() {
     }
 }
 
+/// Planes through each other, some of them the same: of equal depths the first drawn wins, in whatever order tiles draw.
+#[test]
+fn of_equal_depths_the_first_wins_front_to_back_too() {
+    let mut random = Random::new(13);
+    for _ in 0..40 {
+        let planes: Vec<[f32; 3]> = (0..4)
+            .map(|_| [random.grid(0, 3) / 4.0, random.grid(-1, 2) / 256.0, random.grid(-1, 2) / 256.0])
+            .collect();
+        let triangles: Vec<Triangle> = (0..60)
+            .map(|_| {
+                let [z, dx, dy] = planes[random.below(4) as usize];
+                [(); 3].map(|()| {
+                    let [x, y] = [random.grid(-20, 120), random.grid(-20, 90)];
+                    [x, y, z + dx * x + dy * y]
+                })
+            })
+            .collect();
+        check(&triangles, &State::default());
+        let (canvas, stats) = drawn(&triangles, &State::default(), CLEAR);
+        assert_eq!(stats.sorted, 4);
+        // Over what is there already: the second time nothing is nearer.
+        let colors = vec![[1; 4]; triangles.len()];
+        let again =
+            Triangles { positions: triangles.as_flattened(), indices: None, colors: Colors::Each(&colors) };
+        let mut twice = canvas.clone();
+        let stats = Engine::default().draw(&mut twice, None, &again, &State::default());
+        assert_eq!(stats.sorted, 4);
+        assert!(twice.color() == canvas.color() && bits(twice.depth()) == bits(canvas.depth()));
+    }
+}
+
 #[test]
 fn only_tiles_that_were_drawn_to_are_cleared_again() {
     let positions = [[70.0, 5.0, 0.5], [90.0, 5.0, 0.5], [70.0, 30.0, 0.5]];

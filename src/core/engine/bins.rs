@@ -15,7 +15,18 @@ pub(super) struct Entry {
     /// Vertices: x and y in pixels, depth.
     corners: [[f32; 3]; 3],
     /// Its colour codes, or its number from 1 if they are painted.
-    color: u32,
+    pub(super) color: u32,
+}
+
+impl Entry {
+    const NOTHING: Self = Self { corners: [[0.0; 3]; 3], color: 0 };
+
+    /// The depth of its nearest vertex.
+    #[inline(always)]
+    pub(super) fn nearest(&self) -> f32 {
+        let [[.., a], [.., b], [.., c]] = self.corners;
+        a.min(b).min(c)
+    }
 }
 
 /// Up to [`LANES`] of them, one a lane; those that are missing have no area.
@@ -27,15 +38,30 @@ pub(super) struct Group {
 impl Group {
     #[inline(always)]
     pub(super) fn new(entries: &[Entry]) -> Self {
-        const NOTHING: Entry = Entry { corners: [[0.0; 3]; 3], color: 0 };
-        let mut few = [NOTHING; LANES];
-        let all = match entries.first_chunk() {
-            Some(all) => all,
+        let mut few = [Entry::NOTHING; LANES];
+        match entries.first_chunk() {
+            Some(all) => Self::of(all),
             None => {
                 few.iter_mut().zip(entries).for_each(|(entry, other)| *entry = *other);
-                &few
+                Self::of(&few)
             }
-        };
+        }
+    }
+
+    /// Of those of a list whose places are given. In place of a colour they have their place, from 1.
+    #[inline(always)]
+    pub(super) fn at(places: &[u32], entries: &[Entry]) -> Self {
+        let mut few = [Entry::NOTHING; LANES];
+        for (entry, place) in few.iter_mut().zip(places) {
+            if let Some(other) = entries.get(*place as usize) {
+                *entry = Entry { color: place + 1, ..*other };
+            }
+        }
+        Self::of(&few)
+    }
+
+    #[inline(always)]
+    fn of(all: &[Entry; LANES]) -> Self {
         let mut group = Self { corners: [[[0.0; LANES]; 3]; 3], colors: [0; LANES] };
         for corner in 0..3 {
             for axis in 0..3 {
@@ -61,6 +87,9 @@ impl Group {
 pub(super) struct Bins {
     lists: Vec<Vec<Entry>>,
     columns: usize,
+    /// Pixels of the boxes of all triangles, and how many of these there are.
+    area: u64,
+    count: u64,
 }
 
 impl Bins {
@@ -70,6 +99,13 @@ impl Bins {
         self.lists.iter_mut().for_each(Vec::clear);
         self.lists.resize_with(columns * rows, Vec::new);
         self.columns = columns;
+        (self.area, self.count) = (0, 0);
+    }
+
+    /// Whether many triangles of some size lie over each other in an image: then much of them may be hidden.
+    pub(super) fn are_deep(&self, size: [u32; 2]) -> bool {
+        let pixels = u64::from(size[0]) * u64::from(size[1]);
+        self.area >= 4 * pixels && self.area >= LARGE * self.count
     }
 
     /// The triangles of a tile.
@@ -90,10 +126,14 @@ impl Bins {
         let limit = size.map(|pixels| pixels as f32);
         for triangle in 0..triangles.len() {
             let corners = triangles.corners(triangle);
-            let Some([left, right, top, bottom]) = tiles_of(&corners, limit) else {
+            let Some(pixels) = pixels_of(&corners, limit) else {
                 stats.culled += 1;
                 continue;
             };
+            let [left, right, top, bottom] = pixels.map(|pixel| pixel as usize / TILE);
+            let [width, height] = [pixels[1] - pixels[0], pixels[3] - pixels[2]];
+            self.area += (width + 1) as u64 * (height + 1) as u64;
+            self.count += 1;
             let color = if numbers { triangle as u32 + 1 } else { triangles.color(triangle) };
             for row in top..=bottom {
                 for list in &mut self.lists[row * self.columns..][left..=right] {
@@ -104,15 +144,18 @@ impl Bins {
     }
 }
 
+/// Pixels of the box around a triangle of which large parts can be hidden.
+const LARGE: u64 = 256;
+
 /// Vertices that are not there.
 pub(super) const NOWHERE: [[f32; 3]; 3] = [[f32::NAN; 3]; 3];
 
-/// First and last tile column, first and last tile row of the centres in the box around a triangle; `None` if there
-/// is no such centre or a coordinate is no number.
+/// First and last column, first and last row of the centres in the box around a triangle; `None` if there is no such
+/// centre or a coordinate is no number.
 ///
 /// Subtracting 1/2 rounds only below 1/4, and never across an integer.
 #[inline(always)]
-fn tiles_of([a, b, c]: &[[f32; 3]; 3], limit: [f32; 2]) -> Option<[usize; 4]> {
+fn pixels_of([a, b, c]: &[[f32; 3]; 3], limit: [f32; 2]) -> Option<[i32; 4]> {
     let least = |a: f32, b: f32| if a < b { a } else { b };
     let greatest = |a: f32, b: f32| if a > b { a } else { b };
     let (mut first, mut last) = ([0; 2], [0; 2]);
@@ -130,8 +173,7 @@ fn tiles_of([a, b, c]: &[[f32; 3]; 3], limit: [f32; 2]) -> Option<[usize; 4]> {
     if sum.is_nan() || first[0] > last[0] || first[1] > last[1] {
         return None;
     }
-    let tile = |pixel: i32| pixel as usize / TILE;
-    Some([tile(first[0]), tile(last[0]), tile(first[1]), tile(last[1])])
+    Some([first[0], last[0], first[1], last[1]])
 }
 
 /// A small whole number as an integer: the low bits after adding 1.5 * 2^23.

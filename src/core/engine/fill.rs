@@ -8,14 +8,14 @@ use super::{
     bins::{Entry, Group},
     canvas::TILE,
     depths::Across,
-    ink::Ink,
+    ink::{Flat, Ink},
     lanes::{LANES, Wide, greatest, least},
     pixels::{Pixels, Place},
     rows::{Band, Exact, Left, Rows},
     setup::Setup,
     small::SmallRows,
     state::Rules,
-    test::{Any, Codes, Masked, Nearer, Test},
+    test::{Any, Codes, First, Masked, Nearer, Test},
     tile::{BLOCK, Tile},
 };
 use std::ops::Range;
@@ -70,12 +70,23 @@ impl Tile {
         let state = job.state;
         let any = Any::new(state.depth);
         match (Codes::new(state.depth, state.store), state.stencil) {
-            _ if state.lowers_depths() => self.draw_in_lanes(Nearer, ink, job, list, stats),
-            (None, None) => self.draw_in_lanes(any, ink, job, list, stats),
-            (None, Some(_)) => self.draw_in_lanes(Masked(any), ink, job, list, stats),
-            (Some(codes), None) => self.draw_in_lanes(codes, ink, job, list, stats),
-            (Some(codes), Some(_)) => self.draw_in_lanes(Masked(codes), ink, job, list, stats),
+            _ if state.lowers_depths() => self.draw_in_lanes(Nearer, ink, job, (list, None), stats),
+            (None, None) => self.draw_in_lanes(any, ink, job, (list, None), stats),
+            (None, Some(_)) => self.draw_in_lanes(Masked(any), ink, job, (list, None), stats),
+            (Some(codes), None) => self.draw_in_lanes(codes, ink, job, (list, None), stats),
+            (Some(codes), Some(_)) => self.draw_in_lanes(Masked(codes), ink, job, (list, None), stats),
         }
+    }
+
+    /// Draws the triangles of a list in a given order, but so that of equal depths the first in the list wins. Colours
+    /// are their places in the list, from 1.
+    pub(super) fn draw_foremost(
+        &mut self,
+        job: Job<'_>,
+        (list, order): (&[Entry], &[u32]),
+        stats: &mut Stats,
+    ) {
+        self.draw_in_lanes(First, &mut Flat, job, (list, Some(order)), stats);
     }
 
     fn draw_in_lanes<T: Test, I: Ink>(
@@ -83,15 +94,19 @@ impl Tile {
         test: T,
         ink: &mut I,
         job: Job<'_>,
-        list: &[Entry],
+        (list, order): (&[Entry], Option<&[u32]>),
         stats: &mut Stats,
     ) {
         job.state.lanes.run(
             #[inline(always)]
             || {
-                for entries in list.chunks(LANES) {
-                    let group = &Group::new(entries);
+                for start in (0..list.len()).step_by(LANES) {
+                    let group = &match order {
+                        None => Group::new(&list[start..]),
+                        Some(order) => Group::at(&order[start..], list),
+                    };
                     let farthest = self.farthest_of_all();
+                    let farthest = if T::TIES { farthest.next_up() } else { farthest };
                     let setup = Setup::new(group, (job.origin, farthest), job.rules, stats);
                     let rows = SmallRows::new(&setup, group, &job, I::COUNTS, stats);
                     for lane in 0..LANES {
@@ -131,7 +146,7 @@ impl Tile {
             if hides && !behind {
                 let [near, _] = pen.extent([left, right], top as usize);
                 let (mut x, mut blocks) = (left & !(BLOCK - 1), 0);
-                while x < right && self.hides(x, top as usize, near) {
+                while x < right && self.hides::<T>(x, top as usize, near) {
                     (x, blocks) = (x + BLOCK, blocks + 1);
                 }
                 hidden = x >= right;
@@ -166,7 +181,7 @@ impl Tile {
             for x in (begin & !(BLOCK - 1)..end).step_by(BLOCK) {
                 if hides {
                     let [near, far] = pen.extent([x, x + BLOCK], top);
-                    if self.hides(x, top, near) {
+                    if self.hides::<T>(x, top, near) {
                         stats.hidden += 1;
                         continue;
                     }

@@ -7,7 +7,7 @@
 //!
 //! How: the image is cut into tiles whose colours and depths fit the first-level cache ([`Canvas`]). Triangles are
 //! first sorted into the tiles that their boxes meet (`bins`); then each tile is drawn for itself, from its clear
-//! values if it is to be cleared, and written out once (`tile`). A few triangles are set up at once (`setup`), a
+//! values if it is to be cleared, and written out once (`tile`); where much is hidden, front to back (`foremost`). A few triangles are set up at once (`setup`), a
 //! few rows of a triangle are found at once (`rows`), the depths of a few pixels are found (`depths`) and tested
 //! (`pixels`) at once, each time one a lane of the vector unit (`lanes`). What is computed is an interval around the exact number. Nearly always both
 //! its ends give the same column or the same binary32 depth, which is the exact one's then; else the exact
@@ -28,6 +28,7 @@ mod bins;
 mod canvas;
 mod depths;
 mod fill;
+mod foremost;
 mod ink;
 mod lanes;
 mod paint;
@@ -164,13 +165,14 @@ impl Engine {
     ) -> Stats {
         let mut stats = Stats { triangles: triangles.len() as u64, ..Stats::default() };
         let size = canvas.size;
-        let rules = Rules::new(state, size, W::COUNTS);
+        let mut rules = Rules::new(state, size, W::COUNTS);
         let Self { bins, tiles } = self;
         bins.reset(size);
         state.lanes.run(
             #[inline(always)]
             || bins.fill(triangles, size, W::COUNTS, &mut stats),
         );
+        rules.sorts = rules.hierarchical_z && !rules.counts && bins.are_deep(size);
         if let Some(clear) = &clear {
             canvas.expect(clear);
         }

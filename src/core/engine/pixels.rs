@@ -82,10 +82,11 @@ impl Tile {
         let (depths, colors) = self.row(place.at[0], place.at[1]);
         let (stored, painted) = (*depths, *colors);
         let [low, high] = test.row(pixels, subject);
+        let color = subject.group.colors[subject.lane % LANES];
         let (mut covered, mut drawn) = ([0; N], [0; N]);
         for i in 0..N {
             covered[i] = mask(place.covered & (1 << i) != 0);
-            drawn[i] = covered[i] & test.passes(low[i], stored[i]);
+            drawn[i] = covered[i] & test.passes([low[i], stored[i]], [color, painted[i]]);
         }
         let mut doubt = 0;
         for i in 0..N {
@@ -106,7 +107,6 @@ impl Tile {
             stats.passed += u64::from(drawn.iter().map(|drawn| drawn & 1).sum::<u32>());
         }
         let pixel = [0, 1].map(|axis| subject.job.origin[axis] + place.at[axis] as u32);
-        let color = subject.group.colors[subject.lane % LANES];
         *colors = ink.row(color, pixel, [&covered, &drawn], painted, stats);
         if I::TOUCHES {
             self.touch(place.at, (0..N).map(|i| u64::from(drawn[i] & 1) << i).sum());
@@ -169,10 +169,11 @@ impl Tile {
             return true;
         }
         let depth = place.depth(test, i, subject, stats);
-        let stored = self.pixel(place.at[0] + i, place.at[1]).depth;
-        let passes = state.compare.passes(depth, *stored);
+        let pixel = self.pixel(place.at[0] + i, place.at[1]);
+        let color = subject.group.colors[subject.lane % LANES];
+        let passes = test.passes([depth, *pixel.depth], [color, *pixel.color]) != 0;
         if passes && state.write {
-            *stored = depth;
+            *pixel.depth = depth;
         }
         passes
     }

@@ -150,7 +150,7 @@ impl Tile {
         if job.rules.hierarchical_z && last - first >= TALL {
             let mut tops = (first & !(LANES - 1)..last).step_by(LANES);
             let near = setup.nearest[lane];
-            if tops.all(|y| self.hides(left, y, near) && self.hides(right - 1, y, near)) {
+            if tops.all(|y| self.hides::<T>(left, y, near) && self.hides::<T>(right - 1, y, near)) {
                 stats.hidden += 1;
                 return;
             }

@@ -105,6 +105,8 @@ pub(super) struct Rules {
     pub(super) hierarchical_z: bool,
     /// Whether hidden fragments are counted.
     pub(super) counts: bool,
+    /// Whether the triangles of a tile are drawn front to back.
+    pub(super) sorts: bool,
 }
 
 impl Rules {
@@ -123,6 +125,6 @@ impl Rules {
         };
         let tile = state.skips.has(Skip::Tile);
         let hierarchical_z = state.skips.has(Skip::HierarchicalZ) && state.lowers_depths();
-        Self { raster, first_row, last_row, tile, hierarchical_z, counts }
+        Self { raster, first_row, last_row, tile, hierarchical_z, counts, sorts: false }
     }
 }

@@ -22,6 +22,8 @@ pub struct Stats {
     pub hidden: u64,
     /// Blocks of that size, or narrower ones around small triangles, whose pixels were looked at.
     pub blocks: u64,
+    /// Tiles whose triangles were drawn front to back: the same skip.
+    pub sorted: u64,
     /// Tiles that needed no clearing, since nothing was drawn there: the skip `clear`.
     pub clean: u64,
     /// How many pixels these tiles have.
@@ -57,6 +59,7 @@ impl std::ops::AddAssign for Stats {
         self.behind += other.behind;
         self.hidden += other.hidden;
         self.blocks += other.blocks;
+        self.sorted += other.sorted;
         self.clean += other.clean;
         self.clean_pixels += other.clean_pixels;
         self.exact_turns += other.exact_turns;

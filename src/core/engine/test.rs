@@ -22,8 +22,12 @@ pub(super) trait Test: Copy {
         pixels.start.along(pixels.across)
     }
 
-    /// All bits if a depth passes against the stored one, else none.
-    fn passes(&self, new: f32, stored: f32) -> u32;
+    /// Whether a pixel may still change where depths are equal.
+    const TIES: bool = false;
+
+    /// All bits if a depth passes against the stored one, else none. The two are what the pixel would hold as its
+    /// colour, and what it holds.
+    fn passes(&self, depths: [f32; 2], colors: [u32; 2]) -> u32;
 
     /// All bits if it matters that the two ends of an interval differ, for a pixel that is covered (or not) and
     /// passes (or not) at the near end.
@@ -46,8 +50,37 @@ impl Test for Nearer {
     }
 
     #[inline(always)]
-    fn passes(&self, new: f32, stored: f32) -> u32 {
+    fn passes(&self, [new, stored]: [f32; 2], _: [u32; 2]) -> u32 {
         mask(new < stored)
+    }
+
+    #[inline(always)]
+    fn matters(&self, _: u32, passes: u32) -> u32 {
+        passes
+    }
+
+    #[inline(always)]
+    fn written(&self) -> u32 {
+        u32::MAX
+    }
+}
+
+/// The same in any order of drawing: colours are places in the list, and of equal depths that of the first wins.
+#[derive(Clone, Copy)]
+pub(super) struct First;
+
+impl Test for First {
+    const STENCIL: bool = false;
+    const TIES: bool = true;
+
+    #[inline(always)]
+    fn ends(&self, near: f64, far: f64) -> [f32; 2] {
+        [near as f32, far as f32]
+    }
+
+    #[inline(always)]
+    fn passes(&self, [new, stored]: [f32; 2], [place, painted]: [u32; 2]) -> u32 {
+        mask(new < stored) | mask(new == stored) & mask(place < painted)
     }
 
     #[inline(always)]
@@ -93,7 +126,7 @@ impl Test for Any {
     }
 
     #[inline(always)]
-    fn passes(&self, new: f32, stored: f32) -> u32 {
+    fn passes(&self, [new, stored]: [f32; 2], _: [u32; 2]) -> u32 {
         self.less & mask(new < stored) | self.equal & mask(new == stored) | self.greater & mask(new > stored)
     }
 
@@ -149,8 +182,8 @@ impl Test for Codes {
     }
 
     #[inline(always)]
-    fn passes(&self, new: f32, stored: f32) -> u32 {
-        self.state.passes(new, stored)
+    fn passes(&self, depths: [f32; 2], colors: [u32; 2]) -> u32 {
+        self.state.passes(depths, colors)
     }
 
     #[inline(always)]
@@ -177,8 +210,8 @@ impl<T: Test> Test for Masked<T> {
     }
 
     #[inline(always)]
-    fn passes(&self, new: f32, stored: f32) -> u32 {
-        self.0.passes(new, stored)
+    fn passes(&self, depths: [f32; 2], colors: [u32; 2]) -> u32 {
+        self.0.passes(depths, colors)
     }
 
     #[inline(always)]

@@ -8,6 +8,7 @@ use super::{
     canvas::{Clear, Strip, TILE},
     lanes::LANES,
     paint::{Brushes, Painter},
+    test::Test,
 };
 use std::ops::Range;
 
@@ -21,6 +22,9 @@ const BLOCKS: usize = ACROSS * (TILE / LANES);
 /// After so many pieces drawn in a block its farthest depth is looked for again; after more where that was in vain.
 const PATIENCE: u8 = 4;
 const MOST_PATIENCE: u8 = 64;
+
+/// So many neighbouring pixels get their colours together if they are of one triangle.
+const RUN: usize = 8;
 
 /// Begins at a cache line, so that no row of a block lies in two.
 #[repr(align(64))]
@@ -105,6 +109,41 @@ impl Tile {
         }
     }
 
+    /// Gives depths and stencil values back, and the colours of the triangles that the pixels' numbers name; the others
+    /// are cleared if `clear` says to what.
+    pub(super) fn store_numbered(
+        &self,
+        strip: &mut Strip<'_>,
+        left: u32,
+        clear: Option<&Clear>,
+        colors: &mut [u32],
+    ) {
+        if let (Some(clear), [none, ..]) = (clear, &mut *colors) {
+            *none = u32::from_ne_bytes(clear.color);
+        }
+        let color = |number: u32| {
+            let known = clear.is_some() || number > 0;
+            colors.get(number as usize).filter(|_| known).map(|color| color.to_ne_bytes())
+        };
+        for (range, at) in strip.rows(left) {
+            let codes: &mut [[u8; 4]] = strip.color[4 * range.start..4 * range.end].as_chunks_mut().0;
+            let numbers = &self.color.0[at..at + codes.len()];
+            for (codes, numbers) in codes.chunks_mut(RUN).zip(numbers.chunks(RUN)) {
+                // Mostly one triangle is seen in all of a few pixels.
+                if numbers.iter().fold(0, |differ, number| differ | (number ^ numbers[0])) == 0 {
+                    if let Some(color) = color(numbers[0]) {
+                        codes.fill(color);
+                    }
+                    continue;
+                }
+                for (codes, number) in codes.iter_mut().zip(numbers) {
+                    *codes = color(*number).unwrap_or(*codes);
+                }
+            }
+            self.store_depth(strip, range, at);
+        }
+    }
+
     fn store_depth(&self, strip: &mut Strip<'_>, range: Range<usize>, at: usize) {
         strip.depth[range.clone()].copy_from_slice(&self.depth.0[at..at + range.len()]);
         if let Some(stencil) = strip.stencil.get_mut(range.clone()) {
@@ -181,14 +220,16 @@ impl Tile {
         Pixel { color: &mut self.color.0[at], depth: &mut self.depth.0[at], stencil: &mut self.stencil.0[at] }
     }
 
-    /// Whether all pixels in the block with a pixel at (x, y) are nearer than a depth, or as near.
+    /// Whether all pixels in the block with a pixel at (x, y) are nearer than a depth, or as near if a test says that
+    /// this is enough.
     #[inline(always)]
-    pub(super) fn hides(&mut self, x: usize, y: usize, depth: f64) -> bool {
+    pub(super) fn hides<T: Test>(&mut self, x: usize, y: usize, depth: f64) -> bool {
         let block = block_at(x, y);
         if self.left[block] == 0 {
             self.look(block);
         }
-        let hides = depth >= f64::from(self.farthest[block]);
+        let farthest = f64::from(self.farthest[block]);
+        let hides = if T::TIES { depth > farthest } else { depth >= farthest };
         if hides {
             self.patience[block] = PATIENCE;
         }

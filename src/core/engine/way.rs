@@ -5,6 +5,7 @@ use super::{
     bins::Entry,
     canvas::Strip,
     fill::Job,
+    foremost::Foremost,
     ink::{Flat, Ink, Numbers, Wet},
     paint::Brushes,
     tile::Tile,
@@ -40,23 +41,43 @@ pub(super) struct Painted<'p, P: Painter>(pub(super) &'p P);
 
 impl Way for Plain {
     const COUNTS: bool = Flat::COUNTS;
-    type Kit<'k> = ();
+    /// If the triangles of the tile are sorted.
+    type Kit<'k> = (Foremost, bool);
 
-    fn kit(&self) {}
+    fn kit(&self) -> (Foremost, bool) {
+        Default::default()
+    }
 
-    fn draw((): &mut (), tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats) {
-        tile.draw(&mut Flat, job, list, stats);
+    fn draw(
+        (foremost, sorted): &mut (Foremost, bool),
+        tile: &mut Tile,
+        job: Job<'_>,
+        list: &[Entry],
+        stats: &mut Stats,
+    ) {
+        *sorted = job.rules.sorts && foremost.sort(list);
+        if *sorted {
+            stats.sorted += 1;
+            tile.number();
+            tile.draw_foremost(job, (list, &foremost.order), stats);
+        } else {
+            tile.draw(&mut Flat, job, list, stats);
+        }
     }
 
     fn store(
-        (): &mut (),
+        (foremost, sorted): &mut (Foremost, bool),
         tile: &mut Tile,
         strip: &mut Strip<'_>,
         (_, left): (usize, u32),
-        _: Option<&Clear>,
+        clear: Option<&Clear>,
         _: &mut Stats,
     ) {
-        tile.store(strip, left);
+        if *sorted {
+            tile.store_numbered(strip, left, clear, &mut foremost.colors);
+        } else {
+            tile.store(strip, left);
+        }
     }
 }
 

@@ -119,6 +119,33 @@ fn ordinary_frames_are_what_the_z_buffer_draws() {
     }
 }
 
+/// Depths of any size, from below the least normal number to the greatest, some of them halfway between two numbers.
+#[test]
+fn depths_of_any_size_are_rounded_once() {
+    let mut random = Random::new(1971);
+    let always = DepthState { compare: CompareFunction::Always, ..DepthState::default() };
+    for exponent in (-149..=127).step_by(4) {
+        let unit = 2_f64.powi(exponent);
+        let triangles: Vec<Triangle> = (0..6)
+            .map(|round| {
+                // Steps of half a unit of the last place across each pixel, or anything.
+                let halves = f64::from(random.below(64)) / f64::from(1 << 25);
+                nasty(&mut random).map(|[x, y, _]| {
+                    let z = match round {
+                        0..3 => 1.0 + halves * f64::from(x.floor()),
+                        _ => f64::from(random.uniform(-2.0, 2.0)),
+                    };
+                    [x, y, (z * unit) as f32]
+                })
+            })
+            .filter(|triangle: &Triangle| triangle.as_flattened().iter().all(|number| number.is_finite()))
+            .collect();
+        for depth in [DepthState::default(), always] {
+            check(&triangles, &State { depth, ..State::default() });
+        }
+    }
+}
+
 /// A pile of squares over all tiles, most of them hidden by the first.
 fn pile() -> Vec<Triangle> {
     let square = |z: f32, x0: f32, y0: f32, x1: f32, y1: f32| {

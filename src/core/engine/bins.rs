@@ -5,6 +5,7 @@
 use super::{
     Stats, Triangles,
     canvas::{TILE, tiles},
+    lanes::LANES,
 };
 
 /// A triangle in a list. A copy, since the lists are read one after another, but the triangles in a list lie far
@@ -12,9 +13,47 @@ use super::{
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entry {
     /// Vertices: x and y in pixels, depth.
-    pub(super) corners: [[f32; 3]; 3],
+    corners: [[f32; 3]; 3],
     /// Its colour codes, or its number from 1 if they are painted.
-    pub(super) color: u32,
+    color: u32,
+}
+
+/// Up to [`LANES`] of them, one a lane; those that are missing have no area.
+pub(super) struct Group {
+    pub(super) corners: [[[f32; LANES]; 3]; 3],
+    pub(super) colors: [u32; LANES],
+}
+
+impl Group {
+    #[inline(always)]
+    pub(super) fn new(entries: &[Entry]) -> Self {
+        const NOTHING: Entry = Entry { corners: [[0.0; 3]; 3], color: 0 };
+        let mut few = [NOTHING; LANES];
+        let all = match entries.first_chunk() {
+            Some(all) => all,
+            None => {
+                few.iter_mut().zip(entries).for_each(|(entry, other)| *entry = *other);
+                &few
+            }
+        };
+        let mut group = Self { corners: [[[0.0; LANES]; 3]; 3], colors: [0; LANES] };
+        for corner in 0..3 {
+            for axis in 0..3 {
+                for i in 0..LANES {
+                    group.corners[corner][axis][i] = all[i].corners[corner][axis];
+                }
+            }
+        }
+        for i in 0..LANES {
+            group.colors[i] = all[i].color;
+        }
+        group
+    }
+
+    /// The vertices of one.
+    pub(super) fn triangle(&self, lane: usize) -> [[f32; 3]; 3] {
+        self.corners.map(|corner| corner.map(|all| all[lane]))
+    }
 }
 
 /// For each tile the triangles that may touch it, in the order of drawing.
@@ -56,10 +95,9 @@ impl Bins {
                 continue;
             };
             let color = if numbers { triangle as u32 + 1 } else { triangles.color(triangle) };
-            let entry = Entry { corners, color };
             for row in top..=bottom {
                 for list in &mut self.lists[row * self.columns..][left..=right] {
-                    list.push(entry);
+                    list.push(Entry { corners, color });
                 }
             }
         }

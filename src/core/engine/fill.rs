@@ -5,11 +5,12 @@
 
 use super::{
     State, Stats,
-    bins::Entry,
+    bins::{Entry, Group},
     canvas::TILE,
+    depths::Across,
     ink::Ink,
     lanes::{LANES, Wide, greatest, least},
-    pixels::Pixels,
+    pixels::{Pixels, Place},
     rows::{Band, Exact, Left, Rows},
     setup::Setup,
     small::SmallRows,
@@ -22,6 +23,9 @@ use std::ops::Range;
 /// Triangles of fewer rows than this are drawn without asking what is known of the blocks they lie in.
 const SMALL: u32 = 6;
 
+/// The bits of a block.
+const FULL: u64 = (1 << BLOCK) - 1;
+
 /// What all triangles of a tile share.
 #[derive(Clone, Copy)]
 pub(super) struct Job<'a> {
@@ -31,39 +35,46 @@ pub(super) struct Job<'a> {
     pub(super) rules: &'a Rules,
 }
 
-/// A triangle in a tile, as its pixels need it.
+/// A triangle in a tile.
+#[derive(Clone, Copy)]
+pub(super) struct Subject<'a> {
+    pub(super) job: Job<'a>,
+    pub(super) group: &'a Group,
+    pub(super) setup: &'a Setup,
+    /// Its lane in both.
+    pub(super) lane: usize,
+}
+
+/// The same, as its pixels need it.
 struct Pen<'a> {
-    job: Job<'a>,
-    entry: &'a Entry,
-    /// What depth adds at each column: of the tile, or of a narrow triangle from its first one on.
-    across: [f64; TILE],
-    /// The depth at the first column of the tile in each row of a band, a little too near and too far.
-    down: [Wide; 2],
+    subject: &'a Subject<'a>,
+    /// What depth adds at each column of a block.
+    across: Across<BLOCK>,
 }
 
 /// Some rows of a band, [`BLOCK`] columns of them.
-struct Piece {
+struct Piece<'a> {
     /// First column.
     x: usize,
-    /// Where it stands in [`Pen::across`].
-    across: usize,
     /// First row of the band.
     top: usize,
     /// Which of the band's rows.
     rows: Range<usize>,
+    /// The depths at the first column of the tile in all rows of the band.
+    down: &'a Wide,
 }
 
 impl Tile {
     /// Draws triangles in order.
-    pub(super) fn draw(&mut self, ink: &mut impl Ink, job: Job<'_>, entries: &[Entry], stats: &mut Stats) {
+    pub(super) fn draw(&mut self, ink: &mut impl Ink, job: Job<'_>, list: &[Entry], stats: &mut Stats) {
         let state = job.state;
         let any = Any::new(state.depth);
         match (Codes::new(state.depth, state.store), state.stencil) {
-            _ if state.lowers_depths() => self.draw_in_lanes(Nearer, ink, job, entries, stats),
-            (None, None) => self.draw_in_lanes(any, ink, job, entries, stats),
-            (None, Some(_)) => self.draw_in_lanes(Masked(any), ink, job, entries, stats),
-            (Some(codes), None) => self.draw_in_lanes(codes, ink, job, entries, stats),
-            (Some(codes), Some(_)) => self.draw_in_lanes(Masked(codes), ink, job, entries, stats),
+            _ if state.lowers_depths() => self.draw_in_lanes(Nearer, ink, job, list, stats),
+            (None, None) => self.draw_in_lanes(any, ink, job, list, stats),
+            (None, Some(_)) => self.draw_in_lanes(Masked(any), ink, job, list, stats),
+            (Some(codes), None) => self.draw_in_lanes(codes, ink, job, list, stats),
+            (Some(codes), Some(_)) => self.draw_in_lanes(Masked(codes), ink, job, list, stats),
         }
     }
 
@@ -72,26 +83,26 @@ impl Tile {
         test: T,
         ink: &mut I,
         job: Job<'_>,
-        entries: &[Entry],
+        list: &[Entry],
         stats: &mut Stats,
     ) {
         job.state.lanes.run(
             #[inline(always)]
             || {
-                for entries in entries.chunks(LANES) {
+                for entries in list.chunks(LANES) {
+                    let group = &Group::new(entries);
                     let farthest = self.farthest_of_all();
-                    let setup = Setup::new(entries, (job.origin, farthest), job.rules, stats);
-                    let rows = SmallRows::new(&setup, entries, &job, I::COUNTS, stats);
-                    for (lane, entry) in entries.iter().enumerate() {
-                        let lane = lane % LANES;
+                    let setup = Setup::new(group, (job.origin, farthest), job.rules, stats);
+                    let rows = SmallRows::new(&setup, group, &job, I::COUNTS, stats);
+                    for lane in 0..LANES {
                         if setup.rows[0][lane] >= setup.rows[1][lane] {
                             continue;
                         }
+                        let subject = Subject { job, group, setup: &setup, lane };
                         if rows.small[lane] {
-                            let drawn = (&setup, &rows, lane);
-                            self.small_triangle((test, &mut *ink), drawn, (job, entry), stats);
+                            self.small_triangle((test, &mut *ink), &rows, &subject, stats);
                         } else {
-                            self.triangle((test, &mut *ink), &setup, lane, (job, entry), stats);
+                            self.triangle((test, &mut *ink), &subject, stats);
                         }
                     }
                 }
@@ -103,42 +114,27 @@ impl Tile {
     fn triangle<T: Test, I: Ink>(
         &mut self,
         (test, ink): (T, &mut I),
-        setup: &Setup,
-        lane: usize,
-        (job, entry): (Job<'_>, &Entry),
+        subject: &Subject<'_>,
         stats: &mut Stats,
     ) {
-        let mut pen = Pen { job, entry, across: [0.0; TILE], down: [[0.0; LANES]; 2] };
+        let Subject { job, setup, lane, .. } = *subject;
+        let pen = Pen { subject, across: setup.across(lane) };
         let [left, right] = [0, 1].map(|end| setup.columns[end][lane] as usize);
         let narrow = right - left <= BLOCK;
-        let start = if narrow { left.min(TILE - BLOCK) } else { 0 };
-        let slope = setup.dz_dx[lane];
-        if narrow {
-            for i in 0..BLOCK {
-                pen.across[i] = slope * (start + i) as f64;
-            }
-        } else {
-            for i in 0..TILE {
-                pen.across[i] = slope * i as f64;
-            }
-        }
         let [first, last] = [0, 1].map(|end| setup.rows[end][lane]);
         // Of very small triangles nothing is worth asking.
-        let hides = pen.job.rules.hierarchical_z && last - first >= SMALL;
+        let hides = job.rules.hierarchical_z && last - first >= SMALL;
         let behind = I::COUNTS && setup.behind[lane];
         let left_tile = if I::COUNTS && job.origin[0] > 0 { Left::Asked } else { Left::Unasked };
         for top in (first & !(LANES as u32 - 1)..last).step_by(LANES) {
-            for i in 0..LANES {
-                let down = setup.dz_dy[lane] * f64::from(top + i as u32);
-                pen.down[0][i] = setup.depth[0][lane] + down;
-                pen.down[1][i] = setup.depth[1][lane] + down;
-            }
             let mut hidden = behind;
             if hides && !behind {
-                let [near, _] = pen.extent(setup, lane, left - start, right - start);
-                let columns = (left & !(BLOCK - 1)..right).step_by(BLOCK);
-                let blocks = columns.len() as u64;
-                hidden = columns.into_iter().all(|x| near >= f64::from(self.farthest(x, top as usize)));
+                let [near, _] = pen.extent([left, right], top as usize);
+                let (mut x, mut blocks) = (left & !(BLOCK - 1), 0);
+                while x < right && self.hides(x, top as usize, near) {
+                    (x, blocks) = (x + BLOCK, blocks + 1);
+                }
+                hidden = x >= right;
                 stats.hidden += if hidden { blocks } else { 0 };
             }
             if hidden && !I::COUNTS {
@@ -146,7 +142,7 @@ impl Tile {
             }
             let band = Band { top, first, last };
             let rows = Rows::new(setup, lane, (band, left_tile), || pen.edges(), stats);
-            if rows.last == 0 {
+            if rows.any == 0 {
                 continue;
             }
             if I::COUNTS {
@@ -157,38 +153,31 @@ impl Tile {
             }
             let in_band = first.max(top) - top..last.min(top + LANES as u32) - top;
             let (top, in_band) = (top as usize, in_band.start as usize..in_band.end as usize);
+            let down = &setup.down(lane, top);
             if narrow {
                 stats.blocks += 1;
-                self.age(start, top, BLOCK);
-                self.fill(
-                    (test, &mut *ink),
-                    Piece { x: start, across: 0, top, rows: in_band },
-                    &rows,
-                    &pen,
-                    stats,
-                );
+                let x = left.min(TILE - BLOCK);
+                self.age(x, top, BLOCK);
+                self.fill((test, &mut *ink), Piece { x, top, rows: in_band, down }, &rows, &pen, stats);
                 continue;
             }
-            for x in (rows.first as usize & !(BLOCK - 1)..rows.last as usize).step_by(BLOCK) {
+            let [begin, end] =
+                [rows.any.trailing_zeros(), u64::BITS - rows.any.leading_zeros()].map(|x| x as usize);
+            for x in (begin & !(BLOCK - 1)..end).step_by(BLOCK) {
                 if hides {
-                    let [near, far] = pen.extent(setup, lane, x, x + BLOCK);
-                    if near >= f64::from(self.farthest(x, top)) {
+                    let [near, far] = pen.extent([x, x + BLOCK], top);
+                    if self.hides(x, top, near) {
                         stats.hidden += 1;
                         continue;
                     }
-                    if rows.inner[0] as usize <= x && x + BLOCK <= rows.inner[1] as usize {
+                    if !rows.all >> x & FULL == 0 {
                         self.bring(x, top, far as f32);
                     }
                 }
                 stats.blocks += 1;
                 self.age(x, top, BLOCK);
-                self.fill(
-                    (test, &mut *ink),
-                    Piece { x, across: x, top, rows: in_band.clone() },
-                    &rows,
-                    &pen,
-                    stats,
-                );
+                let piece = Piece { x, top, rows: in_band.clone(), down };
+                self.fill((test, &mut *ink), piece, &rows, &pen, stats);
             }
         }
     }
@@ -198,38 +187,40 @@ impl Tile {
     fn fill<T: Test, I: Ink>(
         &mut self,
         (test, ink): (T, &mut I),
-        piece: Piece,
+        piece: Piece<'_>,
         rows: &Rows,
         pen: &Pen<'_>,
         stats: &mut Stats,
     ) {
-        let mut across = [0.0; BLOCK];
-        across.copy_from_slice(&pen.across[piece.across..piece.across + BLOCK]);
+        let Pen { subject, across } = pen;
+        let starts = subject.setup.starts(subject.lane, piece.x, piece.down);
         for row in piece.rows.clone() {
             let row = row % LANES;
-            let columns = rows.begin[row] as i32 - piece.x as i32..rows.end[row] as i32 - piece.x as i32;
-            let ends = [pen.down[0][row], pen.down[1][row]];
-            let pixels = Pixels { at: [piece.x, piece.top + row], columns, ends, across: &across };
-            self.row_of_pixels((test, &mut *ink), &pixels, (pen.job, pen.entry), stats);
+            let at = [piece.x, piece.top + row];
+            let place = Place { at, covered: (rows.bits[row] >> piece.x) as u32 };
+            let pixels = Pixels { place, start: starts.at(row), across };
+            self.row_of_pixels((test, &mut *ink), &pixels, subject, stats);
         }
     }
 }
 
 impl Pen<'_> {
-    /// Bounds of the depths in the columns from `left` to before `right` of a band, counted as in `across`, within
-    /// those of the vertices.
+    /// Bounds of the depths in the columns from `left` to before `right` of the band at `top`, within those of the
+    /// vertices.
     #[inline(always)]
-    fn extent(&self, setup: &Setup, lane: usize, left: usize, right: usize) -> [f64; 2] {
-        let [left, right] = [self.across[left], self.across[right - 1]];
-        let [near, far] = &self.down;
-        let near = least(near[0], near[LANES - 1]) + least(left, right);
-        let far = greatest(far[0], far[LANES - 1]) + greatest(left, right);
-        [greatest(near, setup.range[0][lane]), least(far, setup.range[1][lane])]
+    fn extent(&self, [left, right]: [usize; 2], top: usize) -> [f64; 2] {
+        let Subject { setup, lane, .. } = *self.subject;
+        let across = [left, right - 1].map(|x| setup.dz_dx[lane] * x as f64);
+        let down = [top, top + LANES - 1].map(|y| setup.dz_dy[lane] * y as f64);
+        let near = setup.depth[lane] + least(down[0], down[1]) + least(across[0], across[1]);
+        let far = setup.depth[lane] + greatest(down[0], down[1]) + greatest(across[0], across[1]);
+        let error = setup.error[lane];
+        [greatest(near - error, setup.range[0][lane]), least(far + error, setup.range[1][lane])]
     }
 
     #[cold]
     #[inline(never)]
     fn edges(&self) -> Exact {
-        Exact::new(self.entry, &self.job)
+        Exact::new((self.subject.group, self.subject.lane), &self.subject.job)
     }
 }

@@ -8,8 +8,8 @@
 //! How: the image is cut into tiles whose colours and depths fit the first-level cache ([`Canvas`]). Triangles are
 //! first sorted into the tiles that their boxes meet (`bins`); then each tile is drawn for itself, from its clear
 //! values if it is to be cleared, and written out once (`tile`). A few triangles are set up at once (`setup`), a
-//! few rows of a triangle are found at once (`rows`), a few pixels are tested at once (`tile`), each time one a
-//! lane of the vector unit (`lanes`). What is computed is an interval around the exact number. Nearly always both
+//! few rows of a triangle are found at once (`rows`), the depths of a few pixels are found (`depths`) and tested
+//! (`pixels`) at once, each time one a lane of the vector unit (`lanes`). What is computed is an interval around the exact number. Nearly always both
 //! its ends give the same column or the same binary32 depth, which is the exact one's then; else the exact
 //! predicates decide, and that is counted.
 //!
@@ -26,6 +26,7 @@
 
 mod bins;
 mod canvas;
+mod depths;
 mod fill;
 mod ink;
 mod lanes;

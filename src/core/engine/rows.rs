@@ -3,7 +3,7 @@
 
 use super::{
     Stats,
-    bins::Entry,
+    bins::Group,
     canvas::TILE,
     fill::Job,
     lanes::{LANES, Wide, greatest, integer, least, mask},
@@ -17,15 +17,15 @@ const WIDTH: f64 = TILE as f64;
 /// What is covered of [`LANES`] rows: the columns from `begin` to before `end`; empty rows have 0 and 0.
 #[derive(Clone, Copy)]
 pub(super) struct Rows {
-    pub(super) begin: [u32; LANES],
-    pub(super) end: [u32; LANES],
-    /// Around all of them.
-    pub(super) first: u32,
-    pub(super) last: u32,
-    /// In all of them; of rows that are not asked for nothing is.
-    pub(super) inner: [u32; 2],
+    begin: [u32; LANES],
+    end: [u32; LANES],
+    /// The same with a bit for each column.
+    pub(super) bits: [u64; LANES],
+    /// What is covered in any of them, and what in all; of rows that are not asked for nothing is.
+    pub(super) any: u64,
+    pub(super) all: u64,
     /// How many of them go on to the left, in the tile beside.
-    pub(super) continued: u32,
+    continued: u32,
 }
 
 /// Whether rows are asked if they go on in the tile to the left.
@@ -60,18 +60,26 @@ impl Rows {
         let top = f64::from(band.top);
         for crossings in &setup.edges {
             let (y, slope) = (crossings.y[lane], crossings.slope[lane]);
-            let (l0, l1) = (crossings.left[0][lane], crossings.left[1][lane]);
-            let (r0, r1) = (crossings.right[0][lane], crossings.right[1][lane]);
+            let (l, r) = (crossings.left[lane], crossings.right[lane]);
             for i in 0..LANES {
                 let along = (top + i as f64 - y) * slope;
-                left[0][i] = greatest(left[0][i], along + l0);
-                left[1][i] = greatest(left[1][i], along + l1);
-                right[0][i] = least(right[0][i], along + r0);
-                right[1][i] = least(right[1][i], along + r1);
+                left[0][i] = greatest(left[0][i], along + l);
+                right[0][i] = least(right[0][i], along + r);
             }
         }
-        let mut rows =
-            Self { begin: [0; LANES], end: [0; LANES], first: 0, last: 0, inner: [0; 2], continued: 0 };
+        let doubt = setup.doubt[lane];
+        for i in 0..LANES {
+            left[1][i] = left[0][i] + doubt;
+            right[1][i] = right[0][i] + doubt;
+        }
+        let mut rows = Self {
+            begin: [0; LANES],
+            end: [0; LANES],
+            bits: [0; LANES],
+            any: 0,
+            all: u64::MAX,
+            continued: 0,
+        };
         let [left_low, left_high] = [column(&left[0]), column(&left[1])];
         let [right_low, right_high] = [column(&right[0]), column(&right[1])];
         let mut doubt = 0;
@@ -87,7 +95,7 @@ impl Rows {
         if doubt != 0 {
             rows = exact().rows(band, rows, [[left_low, left_high], [right_low, right_high]], stats);
         }
-        rows.extent();
+        rows.make_bits();
         if beside == Left::Asked {
             for i in 0..LANES {
                 if rows.begin[i] == 0 && rows.end[i] > 0 && left[0][i] <= -1.0 {
@@ -112,17 +120,15 @@ impl Rows {
     }
 
     #[inline(always)]
-    fn extent(&mut self) {
-        let (mut first, mut last) = (TILE as u32, 0);
-        let (mut begin, mut end) = (0, TILE as u32);
+    fn make_bits(&mut self) {
+        let from = |column: u32| if column < TILE as u32 { u64::MAX << column } else { 0 };
         for i in 0..LANES {
-            let empty = mask(self.end[i] == 0);
-            first = first.min(self.begin[i] | empty);
-            last = last.max(self.end[i]);
-            begin = begin.max(self.begin[i]);
-            end = end.min(self.end[i]);
+            self.bits[i] = from(self.begin[i]) ^ from(self.end[i]);
         }
-        (self.first, self.last, self.inner) = (first, last, [begin, end]);
+        for i in 0..LANES {
+            self.any |= self.bits[i];
+            self.all &= self.bits[i];
+        }
     }
 }
 
@@ -147,8 +153,8 @@ impl Exact {
     /// Of a triangle in the tile of a job.
     #[cold]
     #[inline(never)]
-    pub(super) fn new(entry: &Entry, job: &Job<'_>) -> Self {
-        let points = entry.corners.map(|[x, y, _]| [x, y]);
+    pub(super) fn new((group, lane): (&Group, usize), job: &Job<'_>) -> Self {
+        let points = group.triangle(lane).map(|[x, y, _]| [x, y]);
         let edges = Edges::new(points, &job.rules.raster, &mut Tally::default());
         Self { edges, origin: job.origin }
     }

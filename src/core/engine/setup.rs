@@ -9,44 +9,69 @@
 
 use super::{
     Stats,
-    bins::Entry,
+    bins::Group,
     canvas::TILE,
     lanes::{LANES, Wide, greatest, integer, least},
+    small::SIDE,
     state::Rules,
+    tile::BLOCK,
 };
 use crate::math::{Sign, Tally, orient2d, predicates::ORIENT2D_FILTER};
 
 /// The unit roundoff of binary64.
 const U: f64 = f64::EPSILON / 2.0;
 
+/// The bits of infinity; those of an exponent.
+const INFINITY: u64 = f64::INFINITY.to_bits();
+
+/// Depths between these are known, and 0: at greater ones binary32 overflows, at lesser ones it underflows.
+const HIGHEST: f64 = power(100);
+const LOWEST: f64 = power(-80);
+
+/// Of the greatest depth's power of 2: what rounds to the grid, and what the roundings of binary32 come to.
+const ANCHOR: f64 = 1.5 * power(52 - 23);
+const SLACK: f64 = power(-23 - 22);
+
+/// 2 to a power.
+const fn power(exponent: i64) -> f64 {
+    f64::from_bits(((1023 + exponent) as u64) << 52)
+}
+
 /// The last centre of a tile, as a coordinate.
 const END: f64 = (TILE - 1) as f64;
 
 /// Where the rows of a tile cross an edge: `x = start + (row - y) slope`, with the start moved outwards to
-/// both sides by the error; infinitely far for a side that the edge does not bound.
+/// the left by the error; infinitely far for a side that the edge does not bound.
 #[derive(Clone, Copy)]
 pub(super) struct Crossings {
     pub(super) y: Wide,
     pub(super) slope: Wide,
-    /// Of a left edge: a little too far left, and too far right.
-    pub(super) left: [Wide; 2],
-    /// Of a right edge, likewise.
-    pub(super) right: [Wide; 2],
+    /// The start of a left edge, and of a right one.
+    pub(super) left: Wide,
+    pub(super) right: Wide,
 }
 
 const NOTHING: Crossings =
-    Crossings { y: [0.0; LANES], slope: [0.0; LANES], left: [[0.0; LANES]; 2], right: [[0.0; LANES]; 2] };
+    Crossings { y: [0.0; LANES], slope: [0.0; LANES], left: [0.0; LANES], right: [0.0; LANES] };
 
 /// A few triangles, ready for the rows of one tile.
 pub(super) struct Setup {
     pub(super) edges: [Crossings; 3],
+    /// How far to the right of where they seem to be crossings lie at most.
+    pub(super) doubt: Wide,
     /// First and one past the last row and column that can be covered; no rows if nothing is.
     pub(super) rows: [[u32; LANES]; 2],
     pub(super) columns: [[u32; LANES]; 2],
-    /// The depth at (0, 0), a little too near and too far, and how it grows with x and y.
-    pub(super) depth: [Wide; 2],
+    /// The depth at (0, 0), and how it grows with x and y.
+    pub(super) depth: Wide,
     pub(super) dz_dx: Wide,
     pub(super) dz_dy: Wide,
+    /// How far a depth is off at most; infinite if nothing is known.
+    pub(super) error: Wide,
+    /// Adding this, then subtracting it, leaves a multiple of the grid of [`Across`](super::depths::Across); and how far
+    /// off a depth may be that is computed in that way.
+    pub(super) anchor: Wide,
+    pub(super) slack: Wide,
     /// The least and the greatest depth of the vertices.
     pub(super) range: [Wide; 2],
     /// No pixel of these rows and columns is nearer.
@@ -60,37 +85,39 @@ impl Setup {
     /// farther than `farthest`.
     #[inline(always)]
     pub(super) fn new(
-        entries: &[Entry],
+        group: &Group,
         (origin, farthest): ([u32; 2], f32),
         rules: &Rules,
         stats: &mut Stats,
     ) -> Self {
         let mut vertices = [[[0.0; LANES]; 3]; 3];
         let shift = [origin[0] as f64 + 0.5, origin[1] as f64 + 0.5, 0.0];
-        for (lane, Entry { corners, .. }) in entries.iter().take(LANES).enumerate() {
-            for corner in 0..3 {
-                for axis in 0..3 {
-                    vertices[corner][axis][lane] = f64::from(corners[corner][axis]);
-                }
+        for corner in 0..3 {
+            for axis in 0..3 {
+                vertices[corner][axis] = group.corners[corner][axis].map(f64::from);
             }
         }
         let mut setup = Self {
             edges: [NOTHING; 3],
+            doubt: [0.0; LANES],
             rows: [[0; LANES]; 2],
             columns: [[0; LANES]; 2],
-            depth: [[0.0; LANES]; 2],
+            depth: [0.0; LANES],
             dz_dx: [0.0; LANES],
             dz_dy: [0.0; LANES],
+            error: [0.0; LANES],
+            anchor: [0.0; LANES],
+            slack: [0.0; LANES],
             range: [[0.0; LANES]; 2],
             nearest: [0.0; LANES],
             behind: [false; LANES],
         };
-        let turns = setup.plane(&vertices, entries, shift, stats);
+        let turns = setup.plane(&vertices, group, shift, stats);
         setup.bounds(&vertices, shift, &turns, rules);
         for edge in 0..3 {
             setup.edge(edge, [&vertices[edge], &vertices[(edge + 1) % 3]], shift, &turns);
         }
-        if rules.tile {
+        if rules.tile && (0..LANES).any(|i| setup.is_large(i)) {
             setup.reject(stats);
         }
         if rules.hierarchical_z {
@@ -105,11 +132,17 @@ impl Setup {
     /// `4u (|l| + |r|)`. A slope is a quotient of two; while the area is known within a half, that of its
     /// error's is within twice `(e + |slope| E) / |area|`. On the way to a depth each term goes through at most
     /// seven roundings. All constants are a little greater, for the roundings of the bounds themselves.
+    ///
+    /// A power of 2, at most the greatest depth `m` and more than half of it, makes the grid of [`Across`]: multiples of
+    /// `2^-23` of it, which binary32 holds up to `m`. Rests are at most half a step and an error, and each of the two
+    /// and their sum is rounded by at most `2^-25` steps: together less than `2^-23`. The slack is twice that.
+    ///
+    /// [`Across`]: super::depths::Across
     #[inline(always)]
     fn plane(
         &mut self,
         [a, b, c]: &[[Wide; 3]; 3],
-        entries: &[Entry],
+        group: &Group,
         shift: [f64; 3],
         stats: &mut Stats,
     ) -> Wide {
@@ -122,8 +155,9 @@ impl Setup {
             let (l, r) = (bx * cy, by * cx);
             let area = l - r;
             let size = l.abs() + r.abs();
-            doubt[i] = area.abs() <= ORIENT2D_FILTER * size;
-            turns[i] = if area > 0.0 { 1.0 } else { -1.0 };
+            doubt[i] = (area.abs() <= ORIENT2D_FILTER * size) & (size > 0.0);
+            let turn = if area > 0.0 { 1.0 } else { -1.0 };
+            turns[i] = if size > 0.0 { turn } else { 0.0 };
             let inverse = 1.0 / area;
             let (l, r) = (bz * cy, by * cz);
             let (dx, size_x) = ((l - r) * inverse, l.abs() + r.abs());
@@ -138,18 +172,25 @@ impl Setup {
             let (x, y) = (ax - shift[0], ay - shift[1]);
             let (far_x, far_y) = (x.abs() + 64.0, y.abs() + 64.0);
             let error = error_x * wide + error_y * high + 9.0 * U * (az.abs() + sx * far_x + sy * far_y);
-            let known = area.abs() > 16.0 * U * size;
             let depth = az - dx * x - dy * y;
-            self.depth[0][i] = if known { depth - error } else { f64::NEG_INFINITY };
-            self.depth[1][i] = if known { depth + error } else { f64::INFINITY };
+            let (bz, cz) = (b[2][i], c[2][i]);
+            let range = [least(least(az, bz), cz), greatest(greatest(az, bz), cz)];
+            // Where a block begins that has a pixel of the triangle, no depth is greater, nor are its parts on the grid.
+            let most = 1.001 * (greatest(range[0].abs(), range[1].abs()) + BLOCK as f64 * sx);
+            let power = f64::from_bits(most.to_bits() & INFINITY);
+            let held = (most < HIGHEST) & ((most > LOWEST) | (most == 0.0));
+            let known = (area.abs() > 16.0 * U * size) & held;
+            self.range[0][i] = range[0];
+            self.range[1][i] = range[1];
+            self.depth[i] = if known { depth } else { 0.0 };
             self.dz_dx[i] = if known { dx } else { 0.0 };
             self.dz_dy[i] = if known { dy } else { 0.0 };
-            let (bz, cz) = (b[2][i], c[2][i]);
-            self.range[0][i] = least(least(az, bz), cz);
-            self.range[1][i] = greatest(greatest(az, bz), cz);
+            self.error[i] = if known { error } else { f64::INFINITY };
+            self.anchor[i] = if known { ANCHOR * power } else { 0.0 };
+            self.slack[i] = self.error[i] + SLACK * power;
         }
         if doubt.iter().any(|&doubt| doubt) {
-            turn_exactly(&mut turns, &doubt, entries, stats);
+            turn_exactly(&mut turns, &doubt, group, stats);
         }
         turns
     }
@@ -184,29 +225,36 @@ impl Setup {
     /// Where rows cross the edge from `p` to `q`.
     ///
     /// The slope is off by at most three roundings, the height above `p` by one and that of `p` itself, their
-    /// product by one more; `p` and each of two sums by one: below `7u |slope| (|y| + 64) + 3u |x|`. What is
-    /// added on top keeps ties inside the interval where all terms vanish.
+    /// product by one more; `p` and each of two sums by one: below `7u |slope| (|y| + 64) + 3u |x|`. Twice that, and a
+    /// little for adding it to a column of the tile, is how far to the right a crossing may lie of where it is put.
     #[inline(always)]
     fn edge(&mut self, edge: usize, [p, q]: [&[Wide; 3]; 2], shift: [f64; 3], turns: &Wide) {
-        const TIE: f64 = 1e-20;
+        const TIE: f64 = 256.0 * U;
         let crossings = &mut self.edges[edge];
         for i in 0..LANES {
             let (x, y) = (p[0][i] - shift[0], p[1][i] - shift[1]);
             let height = q[1][i] - p[1][i];
             let level = height == 0.0;
             let slope = (q[0][i] - p[0][i]) / if level { 1.0 } else { height };
-            let error = 8.0 * U * (slope.abs() * (y.abs() + 64.0) + x.abs()) + TIE;
+            let error = 8.0 * U * (slope.abs() * (y.abs() + 64.0) + x.abs());
             // Turned positively, edges that go towards smaller y have the inside to their right.
             let uphill = height * turns[i];
             let left = if uphill < 0.0 { 0.0 } else { f64::NEG_INFINITY };
             let right = if uphill > 0.0 { 0.0 } else { f64::INFINITY };
             crossings.y[i] = y;
             crossings.slope[i] = if level { 0.0 } else { slope };
-            crossings.left[0][i] = x - error + left;
-            crossings.left[1][i] = x + error + left;
-            crossings.right[0][i] = x - error + right;
-            crossings.right[1][i] = x + error + right;
+            crossings.left[i] = x - error + left;
+            crossings.right[i] = x - error + right;
+            self.doubt[i] = greatest(self.doubt[i], 2.001 * error + TIE);
         }
+    }
+
+    /// Whether a triangle has more rows or columns than [`SIDE`]: others are found beside the tile as soon.
+    #[inline(always)]
+    fn is_large(&self, i: usize) -> bool {
+        let [height, width] =
+            [&self.rows, &self.columns].map(|[first, end]| end[i].wrapping_sub(first[i]) as i32);
+        (height > SIDE as i32) | (width > SIDE as i32)
     }
 
     /// Empties the rows of triangles that lie beside the tile: one edge keeps out its nearest corner.
@@ -217,8 +265,8 @@ impl Setup {
             for i in 0..LANES {
                 let slope = crossings.slope[i];
                 let (top, bottom) = (-crossings.y[i] * slope, (END - crossings.y[i]) * slope);
-                let left = least(top, bottom) + crossings.left[0][i];
-                let right = greatest(top, bottom) + crossings.right[1][i];
+                let left = least(top, bottom) + crossings.left[i];
+                let right = greatest(top, bottom) + crossings.right[i] + self.doubt[i];
                 beside[i] |= u32::from(left > END) | u32::from(right < 0.0);
             }
         }
@@ -239,7 +287,8 @@ impl Setup {
             let [left, right] = [f64::from(self.columns[0][i]), f64::from(self.columns[1][i]) - 1.0];
             let [top, bottom] = [f64::from(self.rows[0][i]), f64::from(self.rows[1][i]) - 1.0];
             let (dx, dy) = (self.dz_dx[i], self.dz_dy[i]);
-            let near = self.depth[0][i] + least(dy * top, dy * bottom) + least(dx * left, dx * right);
+            let near =
+                self.depth[i] + least(dy * top, dy * bottom) + least(dx * left, dx * right) - self.error[i];
             self.nearest[i] = greatest(near, self.range[0][i]);
         }
         for i in 0..LANES {
@@ -255,10 +304,10 @@ impl Setup {
 /// Turns that the determinant's error leaves open.
 #[cold]
 #[inline(never)]
-fn turn_exactly(turns: &mut Wide, doubt: &[bool; LANES], entries: &[Entry], stats: &mut Stats) {
-    for (i, entry) in entries.iter().enumerate().take(LANES) {
+fn turn_exactly(turns: &mut Wide, doubt: &[bool; LANES], group: &Group, stats: &mut Stats) {
+    for i in 0..LANES {
         if doubt[i] {
-            let [a, b, c] = entry.corners.map(|[x, y, _]| [x, y]);
+            let [a, b, c] = group.triangle(i).map(|[x, y, _]| [x, y]);
             turns[i] = match orient2d(a, b, c, &mut Tally::default()) {
                 Sign::Positive => 1.0,
                 Sign::Negative => -1.0,
@@ -266,8 +315,5 @@ fn turn_exactly(turns: &mut Wide, doubt: &[bool; LANES], entries: &[Entry], stat
             };
             stats.exact_turns += 1;
         }
-    }
-    for turn in &mut turns[entries.len().min(LANES)..] {
-        *turn = 0.0;
     }
 }

@@ -2,7 +2,9 @@
 
 use super::{
     DepthStore,
+    fill::Subject,
     lanes::{greatest, least, mask},
+    pixels::Pixels,
 };
 use crate::depth::DepthState;
 
@@ -13,6 +15,12 @@ pub(super) trait Test: Copy {
 
     /// What is stored for a depth that lies between two: that for the least and that for the greatest.
     fn ends(&self, near: f64, far: f64) -> [f32; 2];
+
+    /// The same for the pixels of a row.
+    #[inline(always)]
+    fn row<const N: usize>(&self, pixels: &Pixels<'_, N>, _: &Subject<'_>) -> [[f32; N]; 2] {
+        pixels.start.along(pixels.across)
+    }
 
     /// All bits if a depth passes against the stored one, else none.
     fn passes(&self, new: f32, stored: f32) -> u32;
@@ -128,6 +136,16 @@ impl Test for Codes {
     fn ends(&self, near: f64, far: f64) -> [f32; 2] {
         const SLACK: f64 = 1.0 / (1 << 24) as f64;
         [self.code(near, -SLACK), self.code(far, SLACK)]
+    }
+
+    #[inline(always)]
+    fn row<const N: usize>(&self, pixels: &Pixels<'_, N>, subject: &Subject<'_>) -> [[f32; N]; 2] {
+        let (mut low, mut high) = ([0.0; N], [0.0; N]);
+        for i in 0..N {
+            let [near, far] = pixels.place.interval(i, subject);
+            [low[i], high[i]] = self.ends(near, far);
+        }
+        [low, high]
     }
 
     #[inline(always)]

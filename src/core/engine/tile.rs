@@ -18,8 +18,9 @@ pub(super) const BLOCK: usize = 16;
 const ACROSS: usize = TILE / BLOCK;
 const BLOCKS: usize = ACROSS * (TILE / LANES);
 
-/// After so many pieces drawn in a block its farthest depth is looked for again.
+/// After so many pieces drawn in a block its farthest depth is looked for again; after more where that was in vain.
 const PATIENCE: u8 = 4;
+const MOST_PATIENCE: u8 = 64;
 
 /// Begins at a cache line, so that no row of a block lies in two.
 #[repr(align(64))]
@@ -29,25 +30,28 @@ struct Aligned<T>(T);
 /// The pixels of a tile.
 #[derive(Debug)]
 pub(super) struct Tile {
-    color: Box<Aligned<[u32; PIXELS]>>,
-    depth: Box<Aligned<[f32; PIXELS]>>,
-    stencil: Box<[u8; PIXELS]>,
+    color: Aligned<[u32; PIXELS]>,
+    depth: Aligned<[f32; PIXELS]>,
+    stencil: Aligned<[u8; PIXELS]>,
     /// Which pixels of each row were painted one fragment after another.
     touched: [u64; TILE],
-    /// No pixel of a block is farther, and how many pieces were drawn there since that was found.
+    /// No pixel of a block is farther.
     farthest: [f32; BLOCKS],
-    drawn: [u8; BLOCKS],
+    /// How many more pieces are drawn there before that is looked for again, and how many were to be.
+    left: [u8; BLOCKS],
+    patience: [u8; BLOCKS],
 }
 
 impl Default for Tile {
     fn default() -> Self {
         Self {
-            color: Box::new(Aligned([0; PIXELS])),
-            depth: Box::new(Aligned([0.0; PIXELS])),
-            stencil: Box::new([0; PIXELS]),
+            color: Aligned([0; PIXELS]),
+            depth: Aligned([0.0; PIXELS]),
+            stencil: Aligned([0; PIXELS]),
             touched: [0; TILE],
             farthest: [0.0; BLOCKS],
-            drawn: [0; BLOCKS],
+            left: [0; BLOCKS],
+            patience: [0; BLOCKS],
         }
     }
 }
@@ -64,9 +68,10 @@ impl Tile {
     pub(super) fn clear(&mut self, clear: &Clear) {
         self.color.0.fill(u32::from_ne_bytes(clear.color));
         self.depth.0.fill(clear.depth);
-        self.stencil.fill(clear.stencil);
+        self.stencil.0.fill(clear.stencil);
         self.touched = [0; TILE];
-        (self.farthest, self.drawn) = ([clear.depth; BLOCKS], [0; BLOCKS]);
+        self.farthest = [clear.depth; BLOCKS];
+        (self.left, self.patience) = ([PATIENCE; BLOCKS], [PATIENCE; BLOCKS]);
     }
 
     /// Takes the pixels of a strip from column `left` on.
@@ -77,11 +82,12 @@ impl Tile {
             color.for_each(|(pixel, codes)| *pixel = u32::from_ne_bytes(*codes));
             self.depth.0[at..at + range.len()].copy_from_slice(&strip.depth[range.clone()]);
             if let Some(stencil) = strip.stencil.get(range.clone()) {
-                self.stencil[at..at + range.len()].copy_from_slice(stencil);
+                self.stencil.0[at..at + range.len()].copy_from_slice(stencil);
             }
         }
         self.touched = [0; TILE];
-        (self.farthest, self.drawn) = ([f32::INFINITY; BLOCKS], [PATIENCE; BLOCKS]);
+        self.farthest = [f32::INFINITY; BLOCKS];
+        (self.left, self.patience) = ([0; BLOCKS], [PATIENCE; BLOCKS]);
     }
 
     /// Forgets the colours: from now on they are numbers of triangles, of which 0 is none.
@@ -102,7 +108,7 @@ impl Tile {
     fn store_depth(&self, strip: &mut Strip<'_>, range: Range<usize>, at: usize) {
         strip.depth[range.clone()].copy_from_slice(&self.depth.0[at..at + range.len()]);
         if let Some(stencil) = strip.stencil.get_mut(range.clone()) {
-            stencil.copy_from_slice(&self.stencil[at..at + range.len()]);
+            stencil.copy_from_slice(&self.stencil.0[at..at + range.len()]);
         }
     }
 
@@ -155,8 +161,8 @@ impl Tile {
     #[inline(always)]
     pub(super) fn age(&mut self, x: usize, y: usize, columns: usize) {
         for x in [x, x + columns - 1] {
-            let drawn = &mut self.drawn[block_at(x, y)];
-            *drawn = drawn.saturating_add(1);
+            let left = &mut self.left[block_at(x, y)];
+            *left = left.saturating_sub(1);
         }
     }
 
@@ -172,25 +178,37 @@ impl Tile {
     /// One pixel.
     pub(super) fn pixel(&mut self, x: usize, y: usize) -> Pixel<'_> {
         let at = y * TILE + x;
-        Pixel { color: &mut self.color.0[at], depth: &mut self.depth.0[at], stencil: &mut self.stencil[at] }
+        Pixel { color: &mut self.color.0[at], depth: &mut self.depth.0[at], stencil: &mut self.stencil.0[at] }
     }
 
-    /// No pixel is farther than this in the block with a pixel at (x, y).
+    /// Whether all pixels in the block with a pixel at (x, y) are nearer than a depth, or as near.
     #[inline(always)]
-    pub(super) fn farthest(&mut self, x: usize, y: usize) -> f32 {
+    pub(super) fn hides(&mut self, x: usize, y: usize, depth: f64) -> bool {
         let block = block_at(x, y);
-        if self.drawn[block] >= PATIENCE {
-            self.drawn[block] = 0;
-            let mut farthest = [f32::NEG_INFINITY; BLOCK];
-            for row in 0..LANES {
-                let depths = *self.row::<BLOCK>(x & !(BLOCK - 1), y / LANES * LANES + row).0;
-                for i in 0..BLOCK {
-                    farthest[i] = greatest(farthest[i], depths[i]);
-                }
-            }
-            self.farthest[block] = greatest_of(&farthest);
+        if self.left[block] == 0 {
+            self.look(block);
         }
-        self.farthest[block]
+        let hides = depth >= f64::from(self.farthest[block]);
+        if hides {
+            self.patience[block] = PATIENCE;
+        }
+        hides
+    }
+
+    /// Looks for the farthest pixel of a block.
+    #[inline(never)]
+    fn look(&mut self, block: usize) {
+        let [x, y] = [block % ACROSS * BLOCK, block / ACROSS * LANES];
+        let mut farthest = [f32::NEG_INFINITY; BLOCK];
+        for row in 0..LANES {
+            let depths = *self.row::<BLOCK>(x, y + row).0;
+            for i in 0..BLOCK {
+                farthest[i] = greatest(farthest[i], depths[i]);
+            }
+        }
+        self.farthest[block] = greatest_of(&farthest);
+        self.left[block] = self.patience[block];
+        self.patience[block] = (2 * self.patience[block]).min(MOST_PATIENCE);
     }
 
     /// No pixel of the tile is farther than this.
@@ -218,17 +236,15 @@ fn greatest(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
-/// By halves, so that it is done in lanes.
+/// Compared as integers of the same order: of these the compiler knows how to find the greatest of a vector.
 #[inline(always)]
 fn greatest_of(values: &[f32; BLOCK]) -> f32 {
-    let (mut eight, mut four) = ([0.0; 8], [0.0; 4]);
-    for i in 0..8 {
-        eight[i] = greatest(values[i], values[i + 8]);
+    let flip = |bits: i32| bits ^ (bits >> 31 & i32::MAX);
+    let mut greatest = i32::MIN;
+    for value in values {
+        greatest = greatest.max(flip(value.to_bits() as i32));
     }
-    for i in 0..4 {
-        four[i] = greatest(eight[i], eight[i + 4]);
-    }
-    greatest(greatest(four[0], four[1]), greatest(four[2], four[3]))
+    f32::from_bits(flip(greatest) as u32)
 }
 
 #[inline(always)]

@@ -190,6 +190,18 @@ fn a_picture_shows_every_row_and_a_table_holds_it() {
 }
 
 #[test]
+fn a_file_that_nothing_is_measured_of_is_refused() {
+    for (name, subject) in Subject::NAMED {
+        let mut out = Vec::new();
+        let options = BenchOptions { file: Some("a.json".into()), ..BenchOptions::new(subject, 1) };
+        let refused = bench(&options, &mut out, None).expect_err("it has inputs of its own");
+        assert_eq!((refused.exit_code(), out.len()), (2, 0));
+        let sentence = refused.to_string();
+        assert!(sentence.contains(&format!("bench {name} ")) && sentence.contains("a.json"), "{sentence}");
+    }
+}
+
+#[test]
 fn every_claim_has_a_picture() {
     let folder = folder("claims");
     let output = Some(folder.join("plots"));

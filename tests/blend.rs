@@ -55,7 +55,7 @@ fn number(value: f32) -> BigInt {
     BigInt::from_f64(f64::from(value) * 2f64.powi(149)).expect("a whole number") * 255
 }
 
-/// WebGPU's factors, section 23.2.8.
+/// WebGPU's factors.
 fn factor(
     (factor, constant): (BlendFactor, &[BigInt; 4]),
     source: &[BigInt; 4],

@@ -5,7 +5,8 @@ use rasterscope_core::{
     explain::Tone,
     message::Value,
     pipeline::{
-        Changed, Frame, Layer, Outcome, Overlay, Pipeline, PixelCounts, Reason, Skips, Wires, pixel_history,
+        Changed, Frame, Layer, Outcome, Overlay, Pipeline, PixelCounts, PixelEntry, Reason, Skips, Wires,
+        pixel_history,
     },
     raster::{Algorithm, FillRule},
     scene::{Draw, Geometry, Mesh, PRESETS, Scene},
@@ -110,6 +111,40 @@ fn two_layers_are_told_from_one() {
     };
     assert_eq!((field.tone, field.ends()), (Tone::Heat, [Value::Int(1), Value::Int(2)]));
     assert_eq!((field.share(0), field.value(2)), (Some(1.0), Value::Int(1)));
+}
+
+/// Against the codes in the histories of pixels.
+#[test]
+fn equal_codes_are_where_a_fragment_meets_its_own_code() {
+    let mut most = 0;
+    for (name, scene) in small() {
+        let pipeline = drawn(&scene);
+        let counts = PixelCounts::of(&scene, pipeline.outputs());
+        for (at, equal) in counts.equal.iter().enumerate() {
+            let pixel = [at as u32 % scene.size[0], at as u32 / scene.size[0]];
+            let history = pixel_history(&scene, pipeline.outputs(), pixel);
+            let met = |entry: &&PixelEntry| match entry.outcome {
+                Outcome::Depth { new, stored, .. } => new == stored,
+                Outcome::Written { depth: Some(new), stored, .. } => new == stored,
+                _ => false,
+            };
+            if scene.samples == 1 {
+                assert_eq!(*equal as usize, history.entries.iter().filter(met).count(), "{name} {pixel:?}");
+                most = most.max(*equal);
+            }
+        }
+    }
+    assert!(most > 0, "some preset fights");
+    let scene = read(include_str!("../assets/scenes/z-fighting.json"));
+    let pipeline = drawn(&scene);
+    let counts = PixelCounts::of(&scene, pipeline.outputs());
+    // Where B's code is A's, B is not seen although it is nearer.
+    let both = |at: &usize| counts.generated[*at] == 2;
+    let stays = |at: &usize| counts.last_written(*at).is_some_and(|piece| piece.draw == 0);
+    let pixels = 0..counts.equal.len();
+    let hidden: Vec<_> = pixels.clone().filter(both).filter(stays).collect();
+    let equal: Vec<_> = pixels.filter(|at| counts.equal[*at] > 0).collect();
+    assert!(hidden.len() > 10 && hidden == equal, "{hidden:?} {equal:?}");
 }
 
 #[test]

@@ -2,12 +2,15 @@
 
 use crate::{pipeline::random_scene, support::Random};
 use rasterscope_core::{
+    cull::CullMode,
     engine::{Canvas, Clear, Colors, Engine, Lanes, State, Stencil, Threads, Triangles},
     labs::Stage,
     pipeline::{Frame, Pipeline, Rasterizer, Reason, Skip, Skips},
     raster::Algorithm,
-    scene::{PRESETS, Scene, model},
+    scene::{Draw, Geometry, Mesh, PRESETS, Scene, model},
+    transform::{Camera, Projection},
 };
+use std::sync::Arc;
 
 fn drawn(scene: &Scene, rasterizer: Rasterizer, skips: &Skips) -> Frame {
     let mut pipeline = Pipeline::new(rasterizer);
@@ -56,6 +59,55 @@ fn random_scenes_over_many_tiles_are_drawn_and_counted_alike() {
             check(&format!("scene {round}"), &scene, skips);
         }
     }
+}
+
+/// Colours that change from pixel to pixel: of slivers, in steep perspective, and between two codes.
+#[test]
+fn colours_that_are_hard_to_round_are_drawn_alike() {
+    let mut random = Random::new(23);
+    for round in 0..60 {
+        let steep = round % 2 == 0;
+        let camera = Camera {
+            eye: [0.0, 0.0, if steep { 0.0 } else { 5.0 }],
+            target: [0.0, 0.0, -1.0],
+            near: if steep { 1e-3 } else { 1.0 },
+            far: 1e3,
+            projection: if steep {
+                Projection::Perspective { fovy_degrees: 90.0 }
+            } else {
+                Projection::Orthographic { height: 2.0 }
+            },
+            ..Camera::default()
+        };
+        let mut corner = || {
+            let far = if steep { random.pick(&[2e-3, 0.1, 3.0, 400.0]) } else { 1.0 };
+            [random.uniform(-2.0, 2.0) * far, random.uniform(-2.0, 2.0) * far, -far]
+        };
+        let (mut positions, mut colors) = (Vec::new(), Vec::new());
+        for _ in 0..20 {
+            let (a, b, c) = (corner(), corner(), corner());
+            positions.extend([a, b, c]);
+            // Nearly on the edge from a to b.
+            positions.extend([a, b, [0, 1, 2].map(|i| (a[i] + b[i]) / 2.0 + c[i] * 1e-5)]);
+        }
+        for _ in &positions {
+            let value =
+                |random: &mut Random| random.pick(&[0.0, 1e-30, 0.5 / 255.0, 0.5, 100.5 / 255.0, 1.0]);
+            colors.push([(); 4].map(|()| value(&mut random)));
+        }
+        let mesh = Mesh { colors, ..Mesh::soup(positions, [1.0; 4]) };
+        let draw = Draw { cull: CullMode::None, ..Draw::new("A", Geometry::Mesh(Arc::new(mesh))) };
+        let scene = Scene { camera, draws: vec![draw], ..Scene::empty([70, 66]) };
+        check(&format!("triangles {round}"), &scene, Skips::ALL);
+    }
+    // From 0 to 1 over 255 pixels: each centre lies between two codes.
+    let scene = Scene::from_json(
+        br#"{"rasterscope": 1, "size": [255, 64], "camera": {"projection": {"kind": "orthographic", "height": 64}},
+             "draws": [{"vertices": [[-127.5, -32, 0], [127.5, -32, 0], [-127.5, 32, 0]],
+                        "colors": [[0, 0.5, 1, 1], [1, 0.5, 0, 1], [0, 0.5, 1, 1]], "cull": "none"}]}"#,
+    )
+    .expect("it is right");
+    check("between two codes", &scene, Skips::ALL);
 }
 
 /// What is drawn next does not depend on what was drawn before, however the two differ.

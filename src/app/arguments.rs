@@ -229,6 +229,7 @@ fn request(matches: &ArgMatches) -> Request {
             rounds: matches.get_one("rounds").copied().unwrap_or(rasterscope_measure::ROUNDS),
             output: path(matches, "output"),
             theme: ThemeName::from_name(&text("theme")).unwrap_or_default(),
+            file: path(matches, "file"),
         }),
         _ => Request::List,
     }

@@ -31,8 +31,14 @@ use crate::{
 pub const SIZE: [u32; 2] = [960, 720];
 
 /// What a picture without a pointer and without an edit can show on the image.
-pub const OVERLAYS: [Overlay; 5] =
-    [Overlay::Depth, Overlay::Stencil, Overlay::Generated, Overlay::Written, Overlay::Wireframe];
+pub const OVERLAYS: [Overlay; 6] = [
+    Overlay::Depth,
+    Overlay::Stencil,
+    Overlay::Generated,
+    Overlay::Written,
+    Overlay::Wireframe,
+    Overlay::Equal,
+];
 
 /// Pixels of a PNG for each point.
 pub(crate) const PIXELS_PER_POINT: f32 = 2.0;

@@ -103,6 +103,8 @@ fn meaning(overlay: Overlay, field: &Field) -> &'static str {
         (Overlay::Stencil, false) => "figure-overlay-stencil",
         (Overlay::Stencil, true) => "figure-overlay-no-stencil",
         (Overlay::Written, false) => "figure-overlay-written",
+        (Overlay::Equal, false) => "figure-overlay-equal",
+        (Overlay::Equal, true) => "figure-overlay-no-equal",
         (_, false) => "figure-overlay-generated",
         (_, true) => "figure-overlay-no-fragment",
     }

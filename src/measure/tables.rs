@@ -6,7 +6,10 @@ use serde_json::{Value, json};
 use crate::{
     Machine,
     claims::{Claim, Finding},
+    skips::picture::Bar,
 };
+use rasterscope_core::pipeline::Skip;
+use rasterscope_figure::words::Words;
 
 /// One object: the machine, the rounds, and the results.
 pub fn to_json(machine: &Machine, rounds: u32, results: &impl Serialize) -> String {
@@ -66,4 +69,28 @@ pub fn claim_rows(claim: &Claim, finding: &Finding) -> Vec<ClaimRow> {
         })
     });
     rows.collect()
+}
+
+/// What one skip leaves out of an image; the last two if it was measured.
+#[derive(Clone, Debug, Serialize)]
+pub struct SkipRow {
+    skip: Skip,
+    left_out: u64,
+    done: Option<u64>,
+    unit: String,
+    ratio: Option<f64>,
+    same: Option<bool>,
+}
+
+/// The skips one by one.
+pub fn skip_rows(bars: &[Bar], words: &Words) -> Vec<SkipRow> {
+    let row = |Bar { skip, work, measured }: &Bar| SkipRow {
+        skip: *skip,
+        left_out: work.left_out,
+        done: work.done,
+        unit: words.word(work.unit),
+        ratio: measured.map(|(ratio, _)| ratio),
+        same: measured.map(|(_, same)| same),
+    };
+    bars.iter().map(row).collect()
 }

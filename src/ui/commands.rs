@@ -122,7 +122,7 @@ impl App {
                 self.measure.start(scope, ctx.input(|input| input.time), platform);
             }
             Command::CopyPicture => self.copy_picture(ctx),
-            Command::CopyValues => self.copy_values(ctx),
+            Command::CopyValues => self.copy_values(ctx, platform),
             Command::Dismiss => {
                 self.notice = None;
                 self.then = None;

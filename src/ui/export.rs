@@ -34,6 +34,7 @@ impl App {
             (None, None) => "",
         };
         let step = match (purpose, self.run.shown()) {
+            (Purpose::Picture, _) if self.shows_skips() => "skips".to_owned(),
             (Purpose::Picture, Some(shown)) => format!("step{}", shown.cursor),
             (Purpose::Film, _) => "run".to_owned(),
             _ => String::new(),
@@ -43,13 +44,16 @@ impl App {
         format!("{}.{ending}", parts.collect::<Vec<_>>().join("-"))
     }
 
-    /// The drawing on the canvas, or why there is none.
+    /// The drawing on the canvas or in its place, or why there is none.
     fn picture(&mut self) -> Option<Cow<'_, Figure>> {
         if self.measure.open {
             if self.measure.picture().is_none() {
                 self.notice = Some(Notice::Failed(self.words.word("measure-nothing")));
             }
             return self.measure.picture().map(Cow::Borrowed);
+        }
+        if let Some(figure) = self.shows_skips().then(|| self.skips_picture()).flatten() {
+            return Some(Cow::Owned(figure));
         }
         if self.canvas.last_figure().is_none() {
             self.notice = Some(Notice::Failed(self.words.word("ui-no-picture")));
@@ -60,12 +64,13 @@ impl App {
     /// Writes the picture as SVG or PNG, or the values of the step as CSV, as the path ends.
     pub(crate) fn write_picture(&mut self, path: &str, platform: &mut dyn Platform) {
         let ending = path.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
-        if self.measure.open && ending.as_deref() == Some("json") {
-            let text = self.measure.table(Format::Json);
-            return self.saved(path, platform.write(path, text.as_bytes()));
-        }
-        if ending.as_deref() == Some("csv") {
-            let text = self.values();
+        let table = match ending.as_deref() {
+            Some("json") if self.measure.open => Some(self.measure.table(Format::Json)),
+            Some("json") if self.shows_skips() => Some(self.skips_table(Format::Json, &platform.machine())),
+            Some("csv") => Some(self.values(platform)),
+            _ => None,
+        };
+        if let Some(text) = table {
             return self.saved(path, platform.write(path, text.as_bytes()));
         }
         let Some(figure) = self.picture() else { return };
@@ -107,15 +112,18 @@ impl App {
     }
 
     /// Puts the values of the step on the clipboard, as comma-separated lines.
-    pub(crate) fn copy_values(&mut self, ctx: &Context) {
-        ctx.copy_text(self.values());
+    pub(crate) fn copy_values(&mut self, ctx: &Context, platform: &mut dyn Platform) {
+        ctx.copy_text(self.values(platform));
         self.notice = Some(Notice::Done(self.words.word("ui-copied-values")));
     }
 
-    /// The values of the step, as comma-separated lines.
-    fn values(&mut self) -> String {
+    /// The values of the step or of what stands in its place, as comma-separated lines.
+    fn values(&mut self, platform: &mut dyn Platform) -> String {
         if self.measure.open {
             return self.measure.table(Format::Csv);
+        }
+        if self.shows_skips() {
+            return self.skips_table(Format::Csv, &platform.machine());
         }
         let mut tables = self.digest.iter().flat_map(Digest::tables).cloned().collect::<Vec<_>>();
         if self.labs[self.lab()].name() == "pipeline" {

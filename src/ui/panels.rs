@@ -2,7 +2,7 @@
 
 use crate::{
     app::App,
-    document::{Scenery, Tab},
+    document::Tab,
     face::{Command, Face},
     labs::Open,
     measure,
@@ -232,7 +232,7 @@ impl App {
     fn canvas_panel(&mut self, ui: &mut Ui, face: &Face<'_>, frame: &Frame<'_>, lab: usize) {
         let overview =
             frame.lab == "pipeline" && self.run.shown().is_none_or(|shown| shown.cursor == shown.len);
-        if overview && self.view.scenery == Scenery::Skips {
+        if self.shows_skips() {
             return self.skips_panel(ui, face);
         }
         let picture = if overview { self.overview.picture(&mut self.view) } else { None };

@@ -5,6 +5,7 @@ use crate::{
     app::App,
     document::Scenery,
     face::{Command, Face},
+    measure::{Format, write},
     overview::Overview,
     paint,
     platform::Platform,
@@ -18,9 +19,14 @@ use rasterscope_core::{
     message::{Message, Value},
     scene::Scene,
 };
+use rasterscope_figure::figure::Figure;
 use rasterscope_measure::{
-    Stopwatch,
-    skips::{Savings, picture},
+    Machine, Stopwatch,
+    skips::{
+        Savings,
+        picture::{self, Bar},
+    },
+    tables::skip_rows,
 };
 use std::{cell::Cell, time::Duration};
 
@@ -33,6 +39,8 @@ pub(crate) struct Measured {
     task: Option<(Scene, Task<Option<Savings>>)>,
     /// Of which scene.
     done: Option<(Scene, Savings)>,
+    /// How wide the bars were drawn last, in points.
+    width: f32,
 }
 
 impl Measured {
@@ -91,11 +99,35 @@ impl App {
         scene.same_picture(&self.document.scene).then_some(savings)
     }
 
+    /// Whether the bars stand where the image would.
+    pub(crate) fn shows_skips(&self) -> bool {
+        let at_the_end = self.run.shown().is_none_or(|shown| shown.cursor == shown.len);
+        let open = self.view.scenery == Scenery::Skips && self.labs[self.lab()].name() == "pipeline";
+        open && at_the_end && !self.split()
+    }
+
+    /// The bars, if there is an image.
+    fn bars(&self) -> Option<Vec<Bar>> {
+        let (stats, scene) = self.overview.counted()?;
+        Some(picture::bars(self.savings(), stats, scene))
+    }
+
+    /// The bars as they are on the screen.
+    pub(crate) fn skips_picture(&self) -> Option<Figure> {
+        Some(picture::draw(&self.bars()?, self.skips.width, self.look.theme, &self.words))
+    }
+
+    /// What the bars show, for other programs; empty if there is no image.
+    pub(crate) fn skips_table(&self, format: Format, machine: &Machine) -> String {
+        let Some(bars) = self.bars() else { return String::new() };
+        let rounds = if self.savings().is_some() { ROUNDS } else { 0 };
+        write(format, machine, rounds, &skip_rows(&bars, &self.words))
+    }
+
     /// Shows the bars.
     pub(crate) fn skips_panel(&mut self, ui: &mut Ui, face: &Face<'_>) {
-        let Some((stats, scene)) = self.overview.counted() else { return };
+        let Some(bars) = self.bars() else { return };
         let savings = self.savings();
-        let bars = picture::bars(savings, stats, scene);
         let (said, role) = match savings {
             None => (face.say("measure-skips-counts"), None),
             Some(savings) if savings.is_proved() => {
@@ -105,7 +137,7 @@ impl App {
             }
             Some(_) => (face.say("measure-skips-wrong"), Some(Role::Rejected)),
         };
-        let textures = &mut self.textures;
+        let (textures, width) = (&mut self.textures, &mut self.skips.width);
         let room = ui.max_rect().shrink2(vec2(14.0, 8.0));
         ui.scope_builder(UiBuilder::new().max_rect(room), |ui| {
             if ui.button(face.rich(face.say("measure-skips-ask"), Text::Label)).clicked() {
@@ -117,7 +149,8 @@ impl App {
                 None => said,
             });
             ScrollArea::vertical().id_salt("skips").auto_shrink(false).show(ui, |ui| {
-                let figure = picture::draw(&bars, ui.available_width(), face.look.theme, face.words);
+                *width = ui.available_width();
+                let figure = picture::draw(&bars, *width, face.look.theme, face.words);
                 let (rect, response) = ui.allocate_exact_size(figure.size.into(), Sense::hover());
                 let name = face.say("ui-scenery-skips");
                 response.widget_info(|| WidgetInfo::labeled(Part::Image, true, &name));

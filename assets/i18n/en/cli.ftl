@@ -49,6 +49,7 @@ error-in-file = { $file }: { $problem }
 error-request-is-no-scene = { $file } holds a compute request, not a scene. Run "rasterscope compute { $file }".
 error-no-input-for-lab = { $file } has no input for { $lab }. Give a scene that opens this lab, or a compute request for it.
 error-unknown-lab = There is no lab { $lab }. Known: { $known }.
+error-bench-file = bench { $what } measures inputs of its own: leave out { $file }, or ask for bench skips { $file }.
 error-bench-ending = { $file } must end in .svg, .png, .csv or .json.
 error-figure-ending = { $file } must end in .svg or .png.
 error-animation-ending = { $file } must end in .png or .apng: an animated picture is an animated PNG.

@@ -95,6 +95,7 @@ pipeline-overlay-written = fragments written
 pipeline-overlay-wireframe = wireframe
 pipeline-overlay-triangle = triangle at pointer
 pipeline-overlay-changed = changed pixels
+pipeline-overlay-equal = equal depth codes
 
 pipeline-work-triangles = triangles
 pipeline-work-pixels = pixels tested

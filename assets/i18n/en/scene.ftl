@@ -112,7 +112,7 @@ preset-cyclic-overlap-name = Cyclic overlap
 preset-cyclic-overlap = A covers B, B covers C and C covers A. No drawing order is right without a depth test.
 
 preset-z-fighting-name = Nearly coplanar
-preset-z-fighting = B lies nearer than A everywhere, but by half a step of the 16-bit code. It wins only where the codes differ: in stripes.
+preset-z-fighting = B lies nearer than A everywhere, but by half a step of the 16-bit code. It wins only where the codes differ: in stripes. Lay equal depth codes on the image: there A stays.
 
 preset-reversed-depth-name = Reversed depth
 preset-reversed-depth = Near is 1 and far is 0: the buffer is cleared to 0 and the greater depth wins. The old compare function would draw nothing.

@@ -42,6 +42,11 @@ pub enum Subject {
 impl Subject {
     /// Those that have a name; the table is what is measured without one.
     pub const NAMED: [(&'static str, Self); 2] = [("claims", Self::Claims), ("growth", Self::Growth)];
+
+    /// The name, if it has one.
+    fn name(self) -> Option<&'static str> {
+        Self::NAMED.into_iter().find(|(_, subject)| *subject == self).map(|(name, _)| name)
+    }
 }
 
 /// What to measure, and how it is written.
@@ -63,6 +68,8 @@ pub struct BenchOptions {
     pub output: Option<PathBuf>,
     /// The colours of the picture.
     pub theme: ThemeName,
+    /// A scene or a model that was named: refused, for what is measured here has inputs of its own.
+    pub file: Option<PathBuf>,
 }
 
 impl BenchOptions {
@@ -77,6 +84,7 @@ impl BenchOptions {
             rounds,
             output: None,
             theme: ThemeName::default(),
+            file: None,
         }
     }
 }

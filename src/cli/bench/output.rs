@@ -23,8 +23,13 @@ fn ending(path: &Path) -> Option<&'static str> {
     ENDINGS.into_iter().find(|each| ending == **each)
 }
 
-/// Refuses a name with another ending before anything is measured.
+/// Refuses an input, and a name with another ending, before anything is measured.
 pub(super) fn check(options: &BenchOptions) -> Result<(), Failure> {
+    if let Some(file) = &options.file {
+        let what = Value::text(options.subject.name().unwrap_or_default());
+        let message = Message::new("error-bench-file").with("what", what);
+        return Err(Failure::usage(&message.with("file", Value::text(file.display()))));
+    }
     match &options.output {
         Some(path) if options.subject != Subject::Claims && ending(path).is_none() => {
             let file = Value::text(path.display());

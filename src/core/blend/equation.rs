@@ -1,6 +1,6 @@
 //! The blend equation, rounded once.
 //!
-//! *Source:* WebGPU, section 23.2.8 (blend state); Porter and Duff, Compositing Digital Images, 1984.
+//! *Source:* WebGPU, "Blend State"; Porter and Duff, Compositing Digital Images, 1984.
 //! Deviation: nothing is rounded before the write, so that the code is that of the exact result.
 
 use std::ops::{Add, Mul, Sub};

@@ -1,6 +1,6 @@
 //! Layers over one pixel: blended as they come, or kept in a list and sorted first.
 //!
-//! *Source:* WebGPU, section 23.2.8 (blend state); Carpenter, The A-buffer, an Antialiased Hidden Surface
+//! *Source:* WebGPU, "Blend State"; Carpenter, The A-buffer, an Antialiased Hidden Surface
 //! Method, 1984 (the list). Deviations: one sample a pixel, so no coverage masks; an insertion sort, as the
 //! lists are short; nothing is rounded before the write.
 

@@ -1,6 +1,6 @@
 //! Blend states that have a name.
 //!
-//! *Source:* Porter and Duff, Compositing Digital Images, 1984 (over); WebGPU, section 23.2.8 (the
+//! *Source:* Porter and Duff, Compositing Digital Images, 1984 (over); WebGPU, "Blend State" (the
 //! factors). Deviation: [`Mode::ColorFactors`] is a mistake on purpose.
 
 use super::{BlendComponent, BlendFactor, BlendOperation, BlendState};

@@ -1,7 +1,7 @@
 //! Which side of a triangle the eye sees, decided without a division and without an error.
 //!
 //! *Source:* Olano and Greer, Triangle Scan Conversion using 2D Homogeneous Coordinates, 1997, section
-//! 5; WebGPU, section 23.2.5.4 (front face, cull mode).
+//! 5; WebGPU, "Polygon Rasterization" (front face, cull mode).
 
 use super::{CullMode, FrontFace, xyw_determinant};
 use crate::math::{Sign, Tally};

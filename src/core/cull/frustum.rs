@@ -26,8 +26,9 @@ pub fn triangle_outside(clip: [[f32; 4]; 3], range: DepthRange) -> Option<Plane>
 /// *Source:* Blinn and Newell, Clipping Using Homogeneous Coordinates, 1978 (outcodes before the divide).
 #[inline]
 pub fn outcode(point: [f32; 4], range: DepthRange) -> u8 {
-    let bit = |(i, plane): (usize, &Plane)| u8::from(distance_is_negative(*plane, point, range)) << i;
-    Plane::ALL.iter().enumerate().map(bit).sum()
+    let bit = |plane: Plane| u8::from(distance_is_negative(plane, point, range)) << plane as u8;
+    let sides = bit(Plane::Left) | bit(Plane::Right) | bit(Plane::Bottom) | bit(Plane::Top);
+    sides | bit(Plane::Near) | bit(Plane::Far)
 }
 
 /// The smallest and largest coordinates of some points; homogeneous.

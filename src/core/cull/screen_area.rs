@@ -1,7 +1,7 @@
 //! Back-face test on the screen: the sign of the triangle's area.
 //!
 //! *Source:* Meister, Generalia de genesi figurarum planarum, 1769 (the area of a polygon); OpenGL 4.6
-//! core, section 14.6.1; WebGPU, section 23.2.5.4. Deviation: where y points down the sign is turned, so
+//! core, section 14.6.1; WebGPU, "Polygon Rasterization". Deviation: where y points down the sign is turned, so
 //! that positive is counter-clockwise as seen.
 
 use super::number::Number;

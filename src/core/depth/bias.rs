@@ -1,6 +1,6 @@
 //! Depth bias: what is added to a triangle's depths, so that it does not fight with another in its plane.
 //!
-//! *Source:* WebGPU, section 23.2.6 (biased fragment depth); Direct3D 11.3 functional specification, section
+//! *Source:* WebGPU, "biased fragment depth"; Direct3D 11.3 functional specification, section
 //! 15.10. Deviations: the step of a unorm format is exactly one code, `1 / (2^n - 1)`; slope and sum are exact,
 //! and what is rounded, once, is the biased depth. It is kept in 0..=1, the viewport's range of depths.
 

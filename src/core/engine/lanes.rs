@@ -73,13 +73,13 @@ impl Default for Lanes {
 
 /// The smaller of two numbers that are not NaN, in one instruction.
 #[inline(always)]
-pub(super) fn least(a: f64, b: f64) -> f64 {
+pub(crate) fn least(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
 /// The greater of two numbers that are not NaN, in one instruction.
 #[inline(always)]
-pub(super) fn greatest(a: f64, b: f64) -> f64 {
+pub(crate) fn greatest(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 

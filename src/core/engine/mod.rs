@@ -45,6 +45,7 @@ mod way;
 
 pub use canvas::{Canvas, Clear, Stencil};
 pub use lanes::Lanes;
+pub(crate) use lanes::{greatest, least};
 pub use paint::{PaintOrder, Painter};
 pub use state::{DepthStore, State};
 pub use stats::Stats;

@@ -44,11 +44,6 @@ impl Barycentric {
         Self { factors, ..self }
     }
 
-    /// The edges and the factors.
-    pub(super) fn parts(&self) -> ([[[f32; 2]; 2]; 3], [f64; 3]) {
-        (self.edges, self.factors)
-    }
-
     /// Whether a point lies in the closed triangle; exact.
     pub fn contains(&self, point: [f32; 2], tally: &mut Tally) -> bool {
         self.edges.iter().all(|&[a, b]| !orient2d(a, b, point, tally).is_negative())

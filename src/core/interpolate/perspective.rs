@@ -18,11 +18,6 @@ impl Interpolator {
         Some(Self(triangle.with_factors(vertices.map(|[_, _, r]| f64::from(r)))))
     }
 
-    /// The edge opposite to each vertex with the inside to its positive side, and what multiplies its area.
-    pub(crate) fn edges(&self) -> ([[[f32; 2]; 2]; 3], [f64; 3]) {
-        self.0.parts()
-    }
-
     /// The weights at the centre of a pixel: compute them once for all attributes.
     #[inline]
     pub fn at(&self, pixel: [u32; 2], tally: &mut Tally) -> Weights<'_> {

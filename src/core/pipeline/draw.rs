@@ -12,6 +12,7 @@ use super::{
 use crate::{
     clip::polygon::Plane,
     cull::{Facing, bvh::Aabb, frustum::Bounds, object_frustum::Body, planes::Volume},
+    engine::Lanes,
     memo::{Memo, Rev},
     scene::{Draw, Mesh, Scene, Shade},
     shade::{Illumination, Light, Material},
@@ -217,7 +218,11 @@ impl DrawOutputs {
         let is_outside = self.outside.is_some();
         self.world.update((self.mesh_rev, model, is_outside), || {
             let positions = if is_outside { &[] } else { &mesh.positions[..] };
-            positions.iter().map(|&[x, y, z]| apply(&model, [x, y, z, 1.0])).collect()
+            each(
+                positions,
+                #[inline(always)]
+                |[x, y, z]| apply(&model, [x, y, z, 1.0]),
+            )
         });
         let world = &self.world.out;
         self.view.update((world.rev(), shared.view), || through(&shared.view, world.get()));
@@ -239,11 +244,15 @@ impl DrawOutputs {
             stages::clip(cull.get(), clip.get(), &varyings, key.visible)
         });
         let polygons = &self.polygons.out;
-        self.ndc.update(polygons.rev(), || polygons.get().corners.iter().copied().map(divide).collect());
+        self.ndc.update(polygons.rev(), || each(&polygons.get().corners, divide));
         let ndc = &self.ndc.out;
         let viewport = shared.viewport;
         self.screen.update((ndc.rev(), viewport), || {
-            ndc.get().iter().map(|&point| viewport.to_screen(point)).collect()
+            each(
+                ndc.get(),
+                #[inline(always)]
+                |point| viewport.to_screen(point),
+            )
         });
     }
 
@@ -267,20 +276,23 @@ impl DrawOutputs {
         stats.pass(Stage::Model, vertices, self.world().len());
         stats.pass(Stage::View, self.world().len(), self.view().len());
         stats.pass(Stage::ClipSpace, self.view().len(), self.clip().len());
-        let mut kept = 0;
+        let (mut kept, mut dropped) = (0, [0; 4]);
         for decision in &self.culled().decisions {
-            if decision.fate != Fate::Dropped {
+            if decision.fate == Fate::Dropped {
+                dropped[decision.facing.map_or(0, |facing| 1 + facing as usize)] += 1;
+            } else {
                 kept += 1;
-                continue;
             }
-            let (reason, skip) = match decision.facing {
-                None => (Reason::Frustum, Skip::Frustum),
-                Some(Facing::Degenerate) => (Reason::Degenerate, Skip::Degenerate),
-                Some(Facing::Back) => (Reason::BackFace, Skip::BackFace),
-                Some(Facing::Front) => (Reason::FrontFace, Skip::BackFace),
-            };
-            stats.stage_mut(Stage::Cull).drop(reason, 1);
-            stats.skip(skip, 1);
+        }
+        for (facing, reason, skip) in [
+            (None, Reason::Frustum, Skip::Frustum),
+            (Some(Facing::Front), Reason::FrontFace, Skip::BackFace),
+            (Some(Facing::Back), Reason::BackFace, Skip::BackFace),
+            (Some(Facing::Degenerate), Reason::Degenerate, Skip::Degenerate),
+        ] {
+            let count = dropped[facing.map_or(0, |facing| 1 + facing as usize)];
+            stats.stage_mut(Stage::Cull).drop(reason, count);
+            stats.skip(skip, count);
         }
         stats.pass(Stage::Cull, triangles, kept);
         let clipped = self.clipped();
@@ -296,5 +308,23 @@ impl DrawOutputs {
 
 /// All vertices times a matrix.
 fn through(matrix: &Matrix, points: &[Point]) -> Vec<Point> {
-    points.iter().map(|&point| apply(matrix, point)).collect()
+    each(
+        points,
+        #[inline(always)]
+        |point| apply(matrix, point),
+    )
+}
+
+/// Each point through a stage, on the widest vector unit.
+fn each<P: Copy>(points: &[P], stage: impl Fn(P) -> Point) -> Vec<Point> {
+    let mut out = vec![[0.0; 4]; points.len()];
+    Lanes::widest().run(
+        #[inline(always)]
+        || {
+            for (out, point) in out.iter_mut().zip(points) {
+                *out = stage(*point);
+            }
+        },
+    );
+    out
 }

@@ -239,13 +239,22 @@ impl Target {
         for (x, ((color, (depth, stencil)), written)) in (span.begin..).zip(pixels) {
             let pixel = [x, span.y];
             let paint = if early { None } else { Some(Paint::new(shader, state, pixel, tally)) };
+            let mut equal = false;
             let passes = |depth: &mut u32, tally: &mut Tally| {
-                !state.depth.test || image.format.test(state.depth, depths.code(x, tally), depth)
+                !state.depth.test || {
+                    let code = depths.code(x, tally);
+                    equal = code == *depth;
+                    image.format.test(state.depth, code, depth)
+                }
             };
             let keeps =
                 |tally: &mut Tally| shader.at(centre(x, span.y), tally).is_kept(state.alpha_test, tally);
             let stored = (stencil, depth);
-            let Some(tested) = when.test(state.stencil.as_ref(), stored, (passes, keeps), tally) else {
+            let tested = when.test(state.stencil.as_ref(), stored, (passes, keeps), tally);
+            if equal {
+                watch.iter_mut().for_each(|watch| watch.equal(first + (x - span.begin) as usize));
+            }
+            let Some(tested) = tested else {
                 *discarded += 1;
                 continue;
             };

@@ -1,57 +1,78 @@
-//! The colours of a row of pixels of one triangle, a few at once: what [`Shader`](super::shader::Shader) gives for each,
-//! as far as a proven error leaves one answer.
+//! The colours of a row of pixels of one triangle: what [`Shader`](super::shader::Shader) gives for each, as far as a
+//! proven error leaves one answer.
 //!
 //! *Source:* Heckbert and Moreton, Interpolation for Polygon Texture Mapping and Shading, 1991; Higham, Accuracy and
 //! Stability of Numerical Algorithms, 2nd ed. 2002, section 3.1 (the errors).
 
-use crate::{engine::Lanes, interpolate::Interpolator};
+use crate::engine::{Lanes, greatest, least};
 
 /// The unit roundoff of binary64.
 const U: f64 = f64::EPSILON / 2.0;
 
-/// Pixels that go through the loops together.
-const LANES: usize = 8;
-
-/// Vertex colours over a triangle.
+/// Vertex colours over a triangle: each channel is a quotient of two planes, `sum(E r c) / sum(E r)` with the edge
+/// functions E, which are linear in the distance from the first vertex.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gradient {
-    /// A point of the edge opposite to each vertex, and the direction of that edge times the vertex's factor.
-    starts: [[f64; 2]; 3],
-    directions: [[f64; 2]; 3],
-    /// Vertex values of red, green, blue, alpha, times what the codes are scaled by.
-    channels: [[f64; 3]; 4],
-    /// The codes of channels that are the same everywhere.
-    constant: [Option<u8>; 4],
-    /// No scaled value is greater.
-    greatest: f64,
+    /// The first vertex, in pixels.
+    origin: [f64; 2],
+    /// The denominator: its value there, and what it grows by per pixel to the right and down.
+    weight: [f64; 3],
+    /// The numerators of red, green, blue, alpha, times what the codes are scaled by.
+    channels: [[f64; 4]; 3],
+    /// A quotient that is no farther than this from a whole number has it as its code.
+    certain: f64,
 }
 
 impl Gradient {
-    /// `channels` at the vertices; `scales` multiply them to codes; `constant`: codes that are known already.
-    pub(super) fn new(
-        interpolator: &Interpolator,
-        channels: &[[f32; 3]; 4],
-        scales: [f64; 4],
-        constant: [Option<u8>; 4],
-    ) -> Self {
-        let (edges, factors) = interpolator.edges();
-        let starts = edges.map(|[a, _]| a.map(f64::from));
-        let directions = [0, 1, 2].map(|i| {
-            let [a, b] = edges[i];
-            [0, 1].map(|axis| (f64::from(b[axis]) - f64::from(a[axis])) * factors[i])
-        });
-        let channels = [0, 1, 2, 3].map(|c| channels[c].map(|value| f64::from(value) * scales[c]));
-        let greatest = channels.as_flattened().iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-        Self { starts, directions, channels, constant, greatest }
+    /// Of vertices (x, y, r) with a colour each: codes, not rounded, from 0 to 255. `None` if the error might not be
+    /// small: for slivers, and where r is not positive.
+    ///
+    /// With differences from the first vertex, a plane's value is `D p0 + gx dx + gy dy`, D being twice the area. No
+    /// term of it goes through more than eleven roundings, so it is off by at most `16u T`, T being the sum of the
+    /// terms' magnitudes where dx and dy are greatest inside the triangle; that of a numerator is M times that of the
+    /// denominator or less, M the greatest code. Inside, the denominator is at least `|D|` times the least r, so
+    /// quotients are off by at most `32u M T` through that less the error; inverting and multiplying add two
+    /// roundings. What is left of 40 and 8 covers the roundings of the bound itself.
+    #[inline(always)]
+    pub(super) fn new(vertices: [[f32; 3]; 3], colors: [[f64; 4]; 3]) -> Option<Self> {
+        let [[x0, y0, r0], [x1, y1, r1], [x2, y2, r2]] = vertices.map(|vertex| vertex.map(f64::from));
+        let (ax, ay, bx, by) = (x1 - x0, y1 - y0, x2 - x0, y2 - y0);
+        let area = ax * by - ay * bx;
+        let plane = |p0: f64, p1: f64, p2: f64| {
+            let (p1, p2) = (p1 - p0, p2 - p0);
+            [area * p0, by * p1 - ay * p2, ax * p2 - bx * p1]
+        };
+        let [c0, c1, c2] = colors;
+        let mut channels = [[0.0; 4]; 3];
+        let mut codes = [[0.0; 4], [1.0; 4]];
+        for c in 0..4 {
+            let [at, right, down] = plane(r0 * c0[c], r1 * c1[c], r2 * c2[c]);
+            (channels[0][c], channels[1][c], channels[2][c]) = (at, right, down);
+            for code in [c0[c], c1[c], c2[c]] {
+                codes[0][c] = least(code, codes[0][c]);
+                codes[1][c] = greatest(code, codes[1][c]);
+            }
+        }
+        let [low, high] = codes;
+        let low = least(least(low[0], low[1]), least(low[2], low[3]));
+        let high = greatest(greatest(high[0], high[1]), greatest(high[2], high[3]));
+        let size = |a: f64, b: f64| greatest(a.abs(), b.abs());
+        let (p1, p2) = (r1 + r0, r2 + r0);
+        let products = (ax * by).abs() + (ay * bx).abs();
+        let terms = products * r0
+            + (by.abs() * p1 + ay.abs() * p2) * size(ax, bx)
+            + (bx.abs() * p1 + ax.abs() * p2) * size(ay, by);
+        let error = 16.0 * U * terms;
+        let least_weight = (area.abs() - 4.0 * U * products) * least(least(r0, r1), r2) - error;
+        let bound = 40.0 * U * high * terms / least_weight + 8.0 * U * (high + 1.0);
+        // What is not a number is less than nothing.
+        let small = least_weight > 0.0 && bound < 0.25 && low >= 0.0 && high <= 255.0;
+        let (origin, weight) = ([x0, y0], plane(r0, r1, r2));
+        small.then_some(Self { origin, weight, channels, certain: 0.5 - bound })
     }
 
-    /// Codes of the pixels of a row from `x` on, at most 64. Returns the pixels whose codes are not certain, a bit
-    /// each, the first lowest.
-    ///
-    /// The weight of a vertex, `factor * (across - along)`, comes out of at most five roundings of each of its two
-    /// terms; a sum of three weights, or of three weighted values, of four more: below `10u` times the sum T of all
-    /// terms' magnitudes, and M times that. While the sum S of weights is at least twice its error e, the quotient
-    /// is off by less than `4 M e / S`; scaling, inverting, multiplying and adding 1/2 add four roundings.
+    /// Codes of the pixels of a row from `x` on, at most 64, all inside the triangle. Returns the pixels whose codes
+    /// are not certain, a bit each, the first lowest.
     pub(super) fn row(&self, lanes: Lanes, [x, y]: [u32; 2], colors: &mut [[u8; 4]]) -> u64 {
         lanes.run(
             #[inline(always)]
@@ -61,59 +82,37 @@ impl Gradient {
 
     #[inline(always)]
     fn row_in_lanes(&self, [x, y]: [u32; 2], colors: &mut [[u8; 4]]) -> u64 {
-        let [x, y] = [f64::from(x) + 0.5, f64::from(y) + 0.5];
-        let last = x + colors.len() as f64;
-        let (mut across, mut terms) = ([0.0; 3], 0.0);
-        for i in 0..3 {
-            across[i] = self.directions[i][0] * (y - self.starts[i][1]);
-            let start = self.starts[i][0];
-            let farthest = (x - start).abs().max((last - start).abs());
-            terms += across[i].abs() + self.directions[i][1].abs() * farthest;
+        let Self { origin, weight, channels, certain } = self;
+        let [left, dy] = [f64::from(x) + 0.5 - origin[0], f64::from(y) + 0.5 - origin[1]];
+        let weight_here = weight[0] + weight[2] * dy;
+        let mut here = [0.0; 4];
+        for c in 0..4 {
+            here[c] = channels[0][c] + channels[2][c] * dy;
         }
-        let error = 10.0 * U * terms;
-        let scaled = 4.0 * error * self.greatest;
-        let rounding = 8.0 * U * (self.greatest + 1.0);
         let mut uncertain = 0;
-        for (chunk, colors) in colors.chunks_mut(LANES).enumerate() {
-            let mut weights = [[0.0; LANES]; 3];
-            for i in 0..3 {
-                for lane in 0..LANES {
-                    let at = x + (chunk * LANES + lane) as f64;
-                    weights[i][lane] = across[i] - self.directions[i][1] * (at - self.starts[i][0]);
-                }
-            }
-            let (mut inverse, mut bound, mut sure) = ([0.0; LANES], [0.0; LANES], [0_u32; LANES]);
-            for lane in 0..LANES {
-                let sum = weights[0][lane] + weights[1][lane] + weights[2][lane];
-                inverse[lane] = 1.0 / sum;
-                bound[lane] = scaled * inverse[lane] + rounding;
-                // What is not a number is less than nothing.
-                sure[lane] = u32::from(2.0 * error < sum);
-            }
-            let mut codes = [[0_u32; LANES]; 4];
+        for (i, color) in (0..).zip(colors) {
+            let dx = left + f64::from(i);
+            let inverse = 1.0 / (weight_here + weight[1] * dx);
+            let (mut sure, mut codes) = (true, [0; 4]);
             for c in 0..4 {
-                if let Some(code) = self.constant[c] {
-                    codes[c] = [u32::from(code); LANES];
-                    continue;
-                }
-                let [a, b, c2] = self.channels[c];
-                for lane in 0..LANES {
-                    let value = weights[0][lane] * a + weights[1][lane] * b + weights[2][lane] * c2;
-                    let value = value * inverse[lane] + 0.5;
-                    let whole = value.floor();
-                    let rest = value - whole;
-                    sure[lane] &= u32::from(rest > bound[lane]) & u32::from(rest < 1.0 - bound[lane]);
-                    codes[c][lane] = (whole + SHIFT).to_bits() as u32;
-                }
+                let quotient = (here[c] + channels[1][c] * dx) * inverse;
+                // The nearest whole number.
+                let shifted = quotient + SHIFT;
+                codes[c] = shifted.to_bits() as u8;
+                sure &= (quotient - (shifted - SHIFT)).abs() < *certain;
             }
-            for (lane, color) in colors.iter_mut().enumerate() {
-                *color = [0, 1, 2, 3].map(|c| codes[c][lane] as u8);
-                uncertain |= u64::from(1 - sure[lane]) << (chunk * LANES + lane);
-            }
+            *color = codes;
+            uncertain |= u64::from(!sure) << i;
         }
         uncertain
     }
 }
 
-/// Added to a whole number, leaves it in the low bits: 1.5 * 2^52.
+/// The whole number nearest to one from 0 to 2^51.
+#[inline(always)]
+pub(super) fn nearest(value: f64) -> f64 {
+    value + SHIFT - SHIFT
+}
+
+/// Added to a number, leaves it rounded in the low bits: 1.5 * 2^52.
 const SHIFT: f64 = 6_755_399_441_055_744.0;

@@ -86,13 +86,25 @@ impl Drawn<'_> {
         test.is_none() || self.shader.at(self.point(pixel, mask), tally).is_kept(test, tally)
     }
 
-    /// Stencil and depth of one sample.
-    fn test(&self, pixel: [u32; 2], index: usize, sample: &mut Sample, tally: &mut Tally) -> StencilOutcome {
+    /// Stencil and depth of one sample; also whether its depth code is the stored one.
+    fn test(
+        &self,
+        pixel: [u32; 2],
+        index: usize,
+        sample: &mut Sample,
+        tally: &mut Tally,
+    ) -> (StencilOutcome, bool) {
         let Self { state, depths, image, .. } = self;
         let point = image.samples.point(pixel, index, image.y_axis);
         let (format, depth_state): (DepthFormat, DepthState) = (image.format, state.depth);
         let Sample { depth, stencil, .. } = sample;
-        state.test(stencil, || format.test(depth_state, depths.code_at(point, format, tally), depth))
+        let mut equal = false;
+        let outcome = state.test(stencil, || {
+            let code = depths.code_at(point, format, tally);
+            equal = code == *depth;
+            format.test(depth_state, code, depth)
+        });
+        (outcome, equal)
     }
 }
 
@@ -146,11 +158,12 @@ impl Target {
                 return;
             }
         }
-        let (mut passed, mut reached_depth) = (false, false);
+        let (mut passed, mut reached_depth, mut equal) = (false, false, false);
         let samples = multisample.pixel_mut(index).iter_mut().enumerate();
         for (i, sample) in samples.filter(|(i, _)| mask & 1 << i != 0) {
             let mut tested = *sample;
-            let outcome = drawn.test(pixel, i, &mut tested, tally);
+            let (outcome, is_equal) = drawn.test(pixel, i, &mut tested, tally);
+            equal |= is_equal;
             if outcome == StencilOutcome::Pass && !kept {
                 kept = drawn.is_kept(pixel, mask, tally);
                 if !kept {
@@ -165,6 +178,9 @@ impl Target {
                 let paint = paint.get_or_insert_with(|| drawn.paint(pixel, mask, tally));
                 sample.color = paint.over(sample.color, drawn.state, tally);
             }
+        }
+        if equal {
+            watch.iter_mut().for_each(|watch| watch.equal(index));
         }
         if passed {
             counts.redrawn += u64::from(std::mem::replace(&mut written[index], true));

@@ -28,11 +28,13 @@ pub enum Overlay {
     Triangle,
     /// The pixels that the last edit changed.
     Changed,
+    /// How many fragments of each pixel had the very depth code that was stored: where surfaces fight.
+    Equal,
 }
 
 impl Overlay {
     /// All, in the order in which a key steps through them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::None,
         Self::Depth,
         Self::Stencil,
@@ -41,6 +43,7 @@ impl Overlay {
         Self::Wireframe,
         Self::Triangle,
         Self::Changed,
+        Self::Equal,
     ];
 
     /// The name on the command line and in what is kept.
@@ -54,6 +57,7 @@ impl Overlay {
             Self::Wireframe => "wireframe",
             Self::Triangle => "triangle",
             Self::Changed => "changed",
+            Self::Equal => "equal-codes",
         }
     }
 
@@ -73,12 +77,13 @@ impl Overlay {
             Self::Wireframe => "pipeline-overlay-wireframe",
             Self::Triangle => "pipeline-overlay-triangle",
             Self::Changed => "pipeline-overlay-changed",
+            Self::Equal => "pipeline-overlay-equal",
         }
     }
 
     /// Whether the image alone does not tell: the scene is drawn once more, and counted.
     pub fn counts(self) -> bool {
-        matches!(self, Self::Generated | Self::Written | Self::Triangle)
+        matches!(self, Self::Generated | Self::Written | Self::Equal | Self::Triangle)
     }
 
     /// The number that it lays on each pixel; `None` if it lays none, or if it counts and there are no
@@ -99,6 +104,7 @@ impl Overlay {
             }
             Self::Generated => heat(size, &counts?.generated),
             Self::Written => heat(size, &counts?.written),
+            Self::Equal => heat(size, &counts?.equal),
             Self::None | Self::Wireframe | Self::Triangle | Self::Changed => return None,
         })
     }

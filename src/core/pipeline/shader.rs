@@ -2,9 +2,13 @@
 
 use std::{cell::Cell, sync::Arc};
 
-use super::{DrawOutputs, Piece, gradient::Gradient};
+use super::{
+    DrawOutputs, Piece,
+    gradient::{Gradient, nearest},
+};
 use crate::{
     blend::{BlendState, ExactColor, blend},
+    engine::Lanes,
     interpolate::{Interpolator, Weights, unorm},
     math::{Approx, Dyadic, Tally, rounded_code, rounded_ratio},
     scene::Texture,
@@ -106,32 +110,43 @@ impl Shader {
         texture: Option<Texture>,
         tally: &mut Tally,
     ) -> Option<[u8; 4]> {
-        let channels = channels(draw, piece);
-        if draw.lit().illumination.is_some()
-            || !is_uniform(&channels)
+        let [first, second, third] = piece.corners.map(|i| &draw.clipped().colors[i as usize]);
+        if first != second
+            || second != third
+            || draw.lit().illumination.is_some()
             || texture.is_some() && !draw.clipped().uvs.is_empty()
         {
             return None;
         }
-        let [r, g, b, a] = channels.map(|channel| channel[0]);
+        let [r, g, b, a] = *first;
         let shade = shade(draw, piece);
         let [r, g, b] = [r, g, b].map(|value| shaded(value, shade, tally));
         Some([r, g, b, unorm(a, 255) as u8])
     }
 
-    /// The same for whole rows at once; `None` with a texture or where pixels are lit.
-    pub(super) fn gradient(&self) -> Option<Gradient> {
-        if self.texture.is_some() || self.pixels.is_some() {
+    /// The colours of a piece for whole rows at once; `None` with a texture, where pixels are lit, and where
+    /// nothing is certain.
+    #[inline]
+    pub(super) fn gradient_of(
+        draw: &DrawOutputs,
+        piece: &Piece,
+        texture: Option<Texture>,
+        lanes: Lanes,
+    ) -> Option<Gradient> {
+        let clipped = draw.clipped();
+        if draw.lit().illumination.is_some() || texture.is_some() && !clipped.uvs.is_empty() {
             return None;
         }
-        let scale = 255.0 * f64::from(self.shade);
-        let scales = [scale, scale, scale, 255.0];
-        let constant = [0, 1, 2, 3].map(|channel| {
-            let [a, b, c] = self.channels[channel];
-            let shade = if channel == 3 { 1.0 } else { self.shade };
-            (a == b && b == c).then(|| shaded(a, shade, &mut Tally::default()))
-        });
-        Some(Gradient::new(&self.interpolator, &self.channels, scales, constant))
+        let [a, b, c] = piece.corners.map(|i| i as usize);
+        let place = |[x, y, _, r]: [f32; 4]| [x, y, r];
+        let (screen, colors) = (draw.screen(), &clipped.colors);
+        let vertices = [place(screen[a]), place(screen[b]), place(screen[c])];
+        let colors = [colors[a], colors[b], colors[c]];
+        let shade = shade(draw, piece);
+        lanes.run(
+            #[inline(always)]
+            || Gradient::new(vertices, codes(colors, shade)),
+        )
     }
 
     /// The codes of every fragment, if they are the same.
@@ -201,6 +216,33 @@ fn channels(draw: &DrawOutputs, piece: &Piece) -> [[f32; 3]; 4] {
 
 fn is_uniform(channels: &[[f32; 3]; 4]) -> bool {
     channels.iter().all(|[a, b, c]| a == b && b == c)
+}
+
+/// The codes of colours, not rounded; where all three have one value, the code of that.
+#[inline(always)]
+fn codes(colors: [[f32; 4]; 3], shade: f32) -> [[f64; 4]; 3] {
+    let scale = 255.0 * f64::from(shade);
+    let scales = [scale, scale, scale, 255.0];
+    let mut codes = [[0.0; 4]; 3];
+    for channel in 0..4 {
+        for corner in 0..3 {
+            codes[corner][channel] = f64::from(colors[corner][channel]) * scales[channel];
+        }
+    }
+    let [a, b, c] = colors;
+    for channel in 0..4 {
+        if a[channel] == b[channel] && b[channel] == c[channel] {
+            let near = codes[0][channel];
+            let mut code = nearest(near);
+            if (near - code).abs() > 0.499 {
+                // Nearly between two codes.
+                let shade = if channel == 3 { 1.0 } else { shade };
+                code = f64::from(shaded(a[channel], shade, &mut Tally::default()));
+            }
+            codes.iter_mut().for_each(|codes| codes[channel] = code);
+        }
+    }
+    codes
 }
 
 /// What multiplies the colours of a piece.

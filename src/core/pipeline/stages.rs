@@ -92,8 +92,11 @@ pub(super) fn cull(key: &CullKey, clip: &[Point], mesh: &Mesh) -> Culled {
     let corners = |triangle: &[u32; 3]| triangle.map(|i| clip[i as usize]);
     // No vertex was transformed if the whole object is outside.
     let triangles = if clip.is_empty() { &[] } else { &mesh.triangles[..] };
-    let outcodes: Vec<u8> =
-        clip.iter().map(|&point| if key.frustum { key.visible.outcode(point) } else { 0 }).collect();
+    let outcodes: Vec<u8> = if key.frustum {
+        clip.iter().map(|&point| key.visible.outcode(point)).collect()
+    } else {
+        vec![0; clip.len()]
+    };
     let outside = |triangle: &[u32; 3]| triangle.map(|i| outcodes[i as usize]);
     let decide = |triangle| key.decide(corners(triangle), outside(triangle), &mut tally);
     let decisions = triangles.iter().map(decide).collect();
@@ -153,6 +156,7 @@ pub struct Clipped {
 
 pub(super) fn clip(culled: &Culled, clip: &[Point], varyings: &Varyings<'_>, visible: Visible) -> Clipped {
     let mut out = Clipped::default();
+    out.reserve(culled.decisions.iter().filter(|decision| decision.fate != Fate::Dropped).count(), varyings);
     for (index, decision) in (0..).zip(&culled.decisions) {
         if decision.fate == Fate::Dropped {
             continue;
@@ -168,23 +172,36 @@ pub(super) fn clip(culled: &Culled, clip: &[Point], varyings: &Varyings<'_>, vis
 }
 
 impl Clipped {
+    /// Makes room for so many triangles that nothing cuts.
+    fn reserve(&mut self, triangles: usize, varyings: &Varyings<'_>) {
+        self.polygons.reserve(triangles);
+        self.pieces.reserve(triangles);
+        self.corners.reserve(3 * triangles);
+        self.colors.reserve(3 * triangles);
+        let attributes = |is_empty: bool| if is_empty { 0 } else { 3 * triangles };
+        self.uvs.reserve(attributes(varyings.uvs.is_empty()));
+        self.normals.reserve(attributes(varyings.normals.is_empty()));
+        self.places.reserve(attributes(varyings.places.is_empty()));
+    }
+
     /// Takes a triangle that lies inside all planes and has an area.
     fn push_whole(&mut self, triangle: u32, clip: &[Point], varyings: &Varyings<'_>) {
-        let indices = varyings.triangles[triangle as usize].map(|i| i as usize);
+        let [a, b, c] = varyings.triangles[triangle as usize].map(|i| i as usize);
         let first = self.corners.len() as u32;
-        self.corners.extend(indices.map(|i| clip[i]));
-        self.take_whole(indices, varyings);
+        self.corners.extend_from_slice(&[clip[a], clip[b], clip[c]]);
+        self.take_whole([a, b, c], varyings);
         self.polygons.push(ClippedPolygon { triangle, first, len: 3, cut: false, carried: false });
         let corners = [first, first + 1, first + 2];
         self.pieces.push(Piece { corners, triangle, part: 0, carried: false });
     }
 
     /// Takes the attributes of a triangle's own corners.
+    #[inline]
     fn take_whole(&mut self, corners: [usize; 3], varyings: &Varyings<'_>) {
-        self.colors.extend(corners.map(|i| varyings.colors[i]));
-        self.uvs.extend(of_corners(varyings.uvs, corners).into_iter().flatten());
-        self.normals.extend(of_corners(varyings.normals, corners).into_iter().flatten());
-        self.places.extend(of_corners(varyings.places, corners).into_iter().flatten());
+        take(&mut self.colors, varyings.colors, corners);
+        take(&mut self.uvs, varyings.uvs, corners);
+        take(&mut self.normals, varyings.normals, corners);
+        take(&mut self.places, varyings.places, corners);
     }
 
     /// Clips one triangle; `false` if nothing is left of it.
@@ -230,6 +247,14 @@ impl Clipped {
             Piece { corners, triangle, part, carried }
         }));
         true
+    }
+}
+
+/// Takes an attribute of a triangle's corners, if there is one.
+#[inline]
+fn take<const N: usize>(out: &mut Vec<[f32; N]>, values: &[[f32; N]], [a, b, c]: [usize; 3]) {
+    if !values.is_empty() {
+        out.extend_from_slice(&[values[a], values[b], values[c]]);
     }
 }
 

@@ -20,6 +20,9 @@ pub struct PixelCounts {
     pub generated: Vec<u32>,
     /// Fragments whose colour was written.
     pub written: Vec<u32>,
+    /// Fragments whose depth code was the one that was stored, also the clear value's, when the depth test compared
+    /// them; with several samples a pixel, triangles of which a sample's was.
+    pub equal: Vec<u32>,
     /// The piece that was scan converted last, and the one that was written last, counted over all pieces.
     last: Vec<[u32; 2]>,
     /// The pieces.
@@ -41,6 +44,7 @@ impl PixelCounts {
             size: scene.size,
             generated: vec![0; pixels],
             written: vec![0; pixels],
+            equal: vec![0; pixels],
             last: vec![[NOBODY; 2]; pixels],
             triangles: outputs.triangles().collect(),
             piece: NOBODY,
@@ -69,6 +73,12 @@ impl PixelCounts {
     pub(super) fn written(&mut self, pixel: usize) {
         self.written[pixel] += 1;
         self.last[pixel][1] = self.piece;
+    }
+
+    /// A fragment of a pixel has the depth code that is stored.
+    #[cold]
+    pub(super) fn equal(&mut self, pixel: usize) {
+        self.equal[pixel] += 1;
     }
 
     /// The piece that was scan converted last at a pixel, counted row by row, whatever became of it.

@@ -153,13 +153,16 @@ impl Whole {
         for ((draw, outputs), state) in (first..).zip(draws).zip(states) {
             let (screen, pieces) = (outputs.screen(), &outputs.clipped().pieces);
             counts.pieces += pieces.len() as u64;
+            self.soup.reserve(3 * pieces.len());
+            self.places.reserve(pieces.len());
             for (index, piece) in pieces.iter().enumerate() {
-                let corners = piece.corners.map(|i| screen[i as usize]);
+                let [a, b, c] = piece.corners.map(|i| screen[i as usize]);
                 if piece.carried {
-                    counts.carry(corners.map(|[x, y, ..]| [x, y]), image);
+                    counts.carry([a, b, c].map(|[x, y, ..]| [x, y]), image);
                     continue;
                 }
-                self.soup.extend(corners.map(|[x, y, z, _]| [x, y, z]));
+                let place = |[x, y, z, _]: [f32; 4]| [x, y, z];
+                self.soup.extend_from_slice(&[place(a), place(b), place(c)]);
                 let constant = match state.blend {
                     None => Shader::constant_of(outputs, piece, state.texture, &mut counts.tally),
                     Some(_) => None,
@@ -250,7 +253,7 @@ struct Palette<'w> {
 enum Brush<'w> {
     Constant([u8; 4]),
     /// Whole rows at once, as far as that is certain.
-    Gradient(Box<Gradient>, Place),
+    Gradient(Gradient, Place),
     Shader(Box<Shader>, &'w FragmentState),
 }
 
@@ -271,12 +274,18 @@ impl<'w> Painter for Palette<'w> {
             return Brush::Constant(codes);
         }
         let state = &self.states[place.draw];
+        if state.blend.is_none() {
+            let outputs = &self.draws[place.draw];
+            let piece = &outputs.clipped().pieces[place.piece];
+            if let Some(gradient) = Shader::gradient_of(outputs, piece, state.texture, self.lanes) {
+                // The sign of its area decides nothing that is not certain.
+                tally.calls += 1;
+                return Brush::Gradient(gradient, place);
+            }
+        }
         // What covers a pixel has an area.
         let Some(shader) = self.shader(place, tally) else { return Brush::Constant([0; 4]) };
-        match shader.gradient() {
-            Some(gradient) if state.blend.is_none() => Brush::Gradient(Box::new(gradient), place),
-            _ => Brush::Shader(Box::new(shader), state),
-        }
+        Brush::Shader(Box::new(shader), state)
     }
 
     fn paint(&self, brush: &mut Brush<'w>, [x, y]: [u32; 2], colors: &mut [[u8; 4]], tally: &mut Tally) {

@@ -1,6 +1,6 @@
 //! The scissor test: a rectangle of pixels outside of which a draw leaves everything as it is.
 //!
-//! *Source:* WebGPU, section 17.3.1 (`setScissorRect`). Deviation: a rectangle may reach beyond the image, as it
+//! *Source:* WebGPU, `setScissorRect`. Deviation: a rectangle may reach beyond the image, as it
 //! may elsewhere; what counts is what lies in both.
 
 use super::Span;

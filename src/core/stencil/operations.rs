@@ -1,6 +1,6 @@
 //! What the stencil test compares and what it stores.
 //!
-//! *Source:* WebGPU, section 23.2.9 (stencil state); OpenGL 4.6 core, section 17.3.3.
+//! *Source:* WebGPU, "Depth/Stencil State"; OpenGL 4.6 core, section 17.3.3.
 
 use super::{StencilOperation, StencilState};
 use crate::depth::CompareFunction;

@@ -1,6 +1,6 @@
 //! The stencil test, draw by draw: what a draw leaves in the stencil decides where the next one goes.
 //!
-//! *Source:* WebGPU, section 23.2.9 (stencil state) and the order of the tests in section 23.2; for
+//! *Source:* WebGPU, "Depth/Stencil State", and "Rendering" for the order of the tests; for
 //! outlines McReynolds and Blythe, Advanced Graphics Programming Using OpenGL, 2005, section 16.7.
 
 mod explain;

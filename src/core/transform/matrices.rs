@@ -63,7 +63,12 @@ pub fn camera_leaves_range(camera: &Camera, aspect: f64, range: DepthRange, reve
 /// `matrix` times the column `v`. Finite for finite input.
 #[inline]
 pub fn apply(matrix: &Matrix, v: [f32; 4]) -> [f32; 4] {
-    [0, 1, 2, 3].map(|i| row_times(matrix, i, v))
+    let mut product = [0.0; 4];
+    // A plain loop becomes one vector instruction for all rows.
+    for (i, component) in product.iter_mut().enumerate() {
+        *component = row_times(matrix, i, v);
+    }
+    product
 }
 
 /// One row of a matrix.

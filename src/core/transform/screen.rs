@@ -27,7 +27,11 @@ pub fn divide([x, y, z, w]: [f32; 4]) -> [f32; 4] {
     if w == 0.0 {
         return [0.0; 4];
     }
-    [x, y, z, 1.0].map(|component| quotient(component, w))
+    let mut point = [x, y, z, 1.0];
+    for component in &mut point {
+        *component = quotient(*component, w);
+    }
+    point
 }
 
 /// `component / w`, rounded once; `w` is not zero. (Binary64 first does not round twice: a quotient of

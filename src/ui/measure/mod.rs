@@ -11,7 +11,7 @@ mod table;
 mod work;
 
 pub(crate) use page::show;
-pub(crate) use save::Format;
+pub(crate) use save::{Format, write};
 pub(crate) use work::Scope;
 
 use crate::app::App;

@@ -56,7 +56,8 @@ impl Measure {
     }
 }
 
-fn write(
+/// Results as a table.
+pub(crate) fn write(
     format: Format,
     machine: &rasterscope_measure::Machine,
     rounds: u32,

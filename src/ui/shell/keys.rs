@@ -54,6 +54,7 @@ pub(crate) fn all() -> Vec<Shortcut> {
         (key(Key::Num5), Command::Overlay(Overlay::Wireframe), "ui-key-overlay"),
         (key(Key::Num6), Command::Overlay(Overlay::Triangle), "ui-key-overlay"),
         (key(Key::Num7), Command::Overlay(Overlay::Changed), "ui-key-overlay"),
+        (key(Key::Num8), Command::Overlay(Overlay::Equal), "ui-key-overlay"),
         (key(Key::F), Command::Fit, "ui-key-fit"),
         (key(Key::F2), Command::Exact, "ui-key-exact"),
         (key(Key::F8), Command::NextTheme, "ui-key-theme"),

@@ -105,3 +105,28 @@ fn the_path_that_is_offered_says_what_the_picture_shows() {
         assert!(window.state().platform.files.contains_key(expected), "{}", said(&window));
     }
 }
+
+#[test]
+fn where_the_skips_stand_they_are_exported() {
+    let mut window = window(1280.0, 720.0);
+    ask(&mut window, Command::Preset("two-through-each-other"));
+    ask(&mut window, Command::MeasureSkips);
+    window.run();
+    for name in ["a.svg", "a.csv", "a.json"] {
+        ask(&mut window, Command::Picture(name.into()));
+    }
+    let desk = window.state();
+    let text = |name: &str| String::from_utf8(desk.platform.files[name].clone()).expect("text");
+    assert!(text("a.svg").contains("without it") && text("a.svg").contains("Skip"), "{}", text("a.svg"));
+    let csv = text("a.csv");
+    assert_eq!(csv.lines().count(), 2 + rasterscope_core::pipeline::Skip::ALL.len(), "{csv}");
+    assert!(csv.contains(",true,back-face,triangles\n"), "{csv}");
+    let json: serde_json::Value = serde_json::from_str(&text("a.json")).expect("JSON");
+    assert!(json["results"][0]["ratio"].is_number() && json["machine"]["processor"] == "A test");
+
+    ask(&mut window, Command::Preset("line-three-cuts"));
+    window.run();
+    ask(&mut window, Command::Picture("b.csv".into()));
+    let text = String::from_utf8(window.state().platform.files["b.csv"].clone()).expect("text");
+    assert!(!text.contains("back-face"), "another lab has other values: {text}");
+}

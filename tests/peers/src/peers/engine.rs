@@ -1,7 +1,9 @@
 //! The engine for whole frames, on each vector unit of this machine.
 
-use super::Maker;
-use crate::frames::{Painter, SIZE, Soup};
+use crate::{
+    frames::{SIZE, Soup},
+    painter::{Maker, Painter},
+};
 use rasterscope_core::engine::{Canvas, Clear, Colors, Engine, Lanes, State, Stencil, Triangles};
 
 const CLEAR: Clear = Clear { color: [0; 4], depth: 1.0, stencil: 0 };
@@ -16,11 +18,11 @@ pub struct Ours {
 }
 
 /// One painter a vector unit, the widest first.
-pub fn painters() -> Vec<Maker> {
+pub fn painters() -> Vec<Maker<Soup>> {
     let units = Lanes::all().into_iter().rev();
     units
         .map(|lanes| {
-            let make = move || -> Box<dyn Painter> {
+            let make = move || -> Box<dyn Painter<Soup>> {
                 Box::new(Ours {
                     name: match lanes.name() {
                         "avx512" => "rasterscope engine, avx512",
@@ -34,12 +36,12 @@ pub fn painters() -> Vec<Maker> {
                     colors: Vec::new(),
                 })
             };
-            Box::new(make) as Maker
+            Box::new(make) as Maker<Soup>
         })
         .collect()
 }
 
-impl Painter for Ours {
+impl Painter<Soup> for Ours {
     fn name(&self) -> &'static str {
         self.name
     }

@@ -8,15 +8,18 @@ mod geo;
 mod i_overlay;
 mod line_clipping;
 mod parry;
+mod pipeline;
 mod rasterscope;
 mod retrofire;
 mod s2;
 mod tiny_skia;
 
 use crate::{
-    frames::Painter,
+    frames::Soup,
     lines::{self, Segment, Sides},
     measure::Contender,
+    meshes::Sight,
+    painter::Maker,
     polygons::{self, Polygon},
 };
 
@@ -50,14 +53,16 @@ fn wide(p: [f32; 2]) -> [f64; 2] {
     p.map(f64::from)
 }
 
-/// Makes one painter of frames anew.
-pub type Maker = Box<dyn Fn() -> Box<dyn Painter>>;
-
 /// Everybody who draws frames.
-pub fn painters() -> Vec<Maker> {
+pub fn painters() -> Vec<Maker<Soup>> {
     let mut makers = engine::painters();
     makers.push(Box::new(euc::painter));
     makers.push(Box::new(retrofire::painter));
     makers.push(Box::new(tiny_skia::painter));
     makers
+}
+
+/// Everybody who draws meshes through a pipeline.
+pub fn mesh_painters() -> Vec<Maker<Sight>> {
+    vec![Box::new(pipeline::mesh_painter), Box::new(euc::mesh_painter), Box::new(retrofire::mesh_painter)]
 }

@@ -1,6 +1,9 @@
 //! The crate tiny-skia: paths, no depth; without anti-aliasing.
 
-use crate::frames::{Painter, SIZE, Soup};
+use crate::{
+    frames::{SIZE, Soup},
+    painter::Painter,
+};
 use tiny_skia::{Color, FillRule, Paint, Path, PathBuilder, Pixmap, Transform};
 
 pub struct TinySkia {
@@ -8,12 +11,12 @@ pub struct TinySkia {
     paths: Vec<(Path, [u8; 4])>,
 }
 
-pub fn painter() -> Box<dyn Painter> {
+pub fn painter() -> Box<dyn Painter<Soup>> {
     let size = SIZE as u32;
     Box::new(TinySkia { pixmap: Pixmap::new(size, size).expect("it is not empty"), paths: Vec::new() })
 }
 
-impl Painter for TinySkia {
+impl Painter<Soup> for TinySkia {
     fn name(&self) -> &'static str {
         "tiny-skia 0.12.0 (no depth)"
     }

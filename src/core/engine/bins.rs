@@ -1,4 +1,4 @@
-//! Binning: which tiles the box around each triangle meets.
+//! Binning: which tiles the box around each triangle meets, and of a large one those that it does not lie beside.
 //!
 //! *Source:* Molnar, Cox, Ellsworth, Fuchs, A Sorting Classification of Parallel Rendering, 1994 (sort-middle).
 
@@ -6,7 +6,9 @@ use super::{
     Stats, Triangles,
     canvas::{TILE, tiles},
     lanes::LANES,
+    state::Rules,
 };
+use crate::math::predicates::ORIENT2D_FILTER;
 
 /// A triangle in a list. A copy, since the lists are read one after another, but the triangles in a list lie far
 /// apart in memory.
@@ -120,7 +122,7 @@ impl Bins {
         &mut self,
         triangles: &Triangles<'_>,
         size: [u32; 2],
-        numbers: bool,
+        rules: &Rules,
         stats: &mut Stats,
     ) {
         let limit = size.map(|pixels| pixels as f32);
@@ -134,13 +136,64 @@ impl Bins {
             let [width, height] = [pixels[1] - pixels[0], pixels[3] - pixels[2]];
             self.area += (width + 1) as u64 * (height + 1) as u64;
             self.count += 1;
-            let color = if numbers { triangle as u32 + 1 } else { triangles.color(triangle) };
+            let color = if rules.counts { triangle as u32 + 1 } else { triangles.color(triangle) };
+            let entry = Entry { corners, color };
+            if rules.tile && right - left > 1 && bottom - top > 1 {
+                self.push_large(entry, [left, right, top, bottom], stats);
+                continue;
+            }
             for row in top..=bottom {
                 for list in &mut self.lists[row * self.columns..][left..=right] {
-                    list.push(Entry { corners, color });
+                    list.push(entry);
                 }
             }
         }
+    }
+}
+
+impl Bins {
+    /// Puts a triangle into the lists of the tiles that do not lie beside it.
+    fn push_large(&mut self, entry: Entry, [left, right, top, bottom]: [usize; 4], stats: &mut Stats) {
+        let sides = Sides::new(&entry.corners);
+        for row in top..=bottom {
+            for column in left..=right {
+                if sides.as_ref().is_some_and(|sides| sides.keep_out([column, row])) {
+                    stats.binned += 1;
+                    stats.beside += 1;
+                } else {
+                    self.lists[row * self.columns + column].push(entry);
+                }
+            }
+        }
+    }
+}
+
+/// The edges of a triangle, with the inside to their positive side: a point, and the direction.
+struct Sides([[Point; 2]; 3]);
+
+type Point = [f64; 2];
+
+impl Sides {
+    /// `None` if rounding leaves open which way the triangle turns.
+    fn new(corners: &[[f32; 3]; 3]) -> Option<Self> {
+        let [a, b, c] = corners.map(|[x, y, _]| [f64::from(x), f64::from(y)]);
+        let from = |p: Point, q: Point| [q[0] - p[0], q[1] - p[1]];
+        let (u, v) = (from(a, b), from(a, c));
+        let (l, r) = (u[0] * v[1], u[1] * v[0]);
+        let turn = l - r;
+        let known = turn.abs() > ORIENT2D_FILTER * (l.abs() + r.abs());
+        let edges = if turn > 0.0 { [[a, b], [b, c], [c, a]] } else { [[b, a], [c, b], [a, c]] };
+        known.then_some(Self(edges.map(|[p, q]| [p, from(p, q)])))
+    }
+
+    /// Whether one of them surely has all centres of a tile on its other side: the one farthest inwards.
+    fn keep_out(&self, [column, row]: [usize; 2]) -> bool {
+        let [x, y] = [column, row].map(|tile| [(tile * TILE) as f64 + 0.5, ((tile + 1) * TILE) as f64 - 0.5]);
+        self.0.iter().any(|[p, [dx, dy]]| {
+            let l = dx * (y[usize::from(*dx > 0.0)] - p[1]);
+            let r = dy * (x[usize::from(*dy <= 0.0)] - p[0]);
+            l - r < -ORIENT2D_FILTER * (l.abs() + r.abs())
+        })
     }
 }
 

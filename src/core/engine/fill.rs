@@ -8,6 +8,7 @@ use super::{
     bins::{Entry, Group},
     canvas::TILE,
     depths::Across,
+    foremost::Foremost,
     ink::{Flat, Ink},
     lanes::{LANES, Wide, greatest, least},
     pixels::{Pixels, Place},
@@ -83,7 +84,7 @@ impl Tile {
     pub(super) fn draw_foremost(
         &mut self,
         job: Job<'_>,
-        (list, order): (&[Entry], &[u32]),
+        (list, order): (&[Entry], &Foremost),
         stats: &mut Stats,
     ) {
         self.draw_in_lanes(First, &mut Flat, job, (list, Some(order)), stats);
@@ -94,18 +95,22 @@ impl Tile {
         test: T,
         ink: &mut I,
         job: Job<'_>,
-        (list, order): (&[Entry], Option<&[u32]>),
+        (list, order): (&[Entry], Option<&Foremost>),
         stats: &mut Stats,
     ) {
         job.state.lanes.run(
             #[inline(always)]
             || {
                 for start in (0..list.len()).step_by(LANES) {
+                    let farthest = self.farthest_of_all();
+                    if order.is_some_and(|order| order.nearest_from(start) > farthest) {
+                        stats.behind += (list.len() - start) as u64;
+                        break;
+                    }
                     let group = &match order {
                         None => Group::new(&list[start..]),
-                        Some(order) => Group::at(&order[start..], list),
+                        Some(order) => Group::at(&order.order[start..], list),
                     };
-                    let farthest = self.farthest_of_all();
                     let farthest = if T::TIES { farthest.next_up() } else { farthest };
                     let setup = Setup::new(group, (job.origin, farthest), job.rules, stats);
                     let rows = SmallRows::new(&setup, group, &job, I::COUNTS, stats);

@@ -14,7 +14,6 @@ use super::bins::Entry;
 const PARTS: usize = 64;
 
 /// The triangles of a tile, sorted.
-#[derive(Default)]
 pub(super) struct Foremost {
     /// Which comes first, and so on.
     pub(super) order: Vec<u32>,
@@ -22,6 +21,14 @@ pub(super) struct Foremost {
     pub(super) colors: Vec<u32>,
     /// To which part of the range each belongs.
     parts: Vec<u8>,
+    /// No triangle of a part or of those behind it has a nearer vertex.
+    nearest: [f32; PARTS],
+}
+
+impl Default for Foremost {
+    fn default() -> Self {
+        Self { order: Vec::new(), colors: Vec::new(), parts: Vec::new(), nearest: [f32::INFINITY; PARTS] }
+    }
 }
 
 impl Foremost {
@@ -39,10 +46,13 @@ impl Foremost {
         let scale = (PARTS - 1) as f64 / (f64::from(most) - f64::from(least));
         let mut ends = [0; PARTS];
         self.parts.clear();
+        self.nearest = [f32::INFINITY; PARTS];
         let (mut last, mut back) = (0, 0);
         for entry in list {
-            let part = ((f64::from(entry.nearest()) - f64::from(least)) * scale) as usize % PARTS;
+            let depth = entry.nearest();
+            let part = ((f64::from(depth) - f64::from(least)) * scale) as usize % PARTS;
             ends[part] += 1;
+            self.nearest[part] = self.nearest[part].min(depth);
             self.parts.push(part as u8);
             back += usize::from(part < last);
             last = part;
@@ -52,6 +62,9 @@ impl Foremost {
         }
         for part in 1..PARTS {
             ends[part] += ends[part - 1];
+        }
+        for part in (1..PARTS).rev() {
+            self.nearest[part - 1] = self.nearest[part - 1].min(self.nearest[part]);
         }
         self.order.clear();
         self.order.resize(list.len(), 0);
@@ -64,5 +77,12 @@ impl Foremost {
         self.colors.push(0);
         self.colors.extend(list.iter().map(|entry| entry.color));
         true
+    }
+
+    /// No vertex is nearer than this of the triangles from one on, counted in their order.
+    #[inline(always)]
+    pub(super) fn nearest_from(&self, index: usize) -> f32 {
+        let part = self.parts[self.order[index] as usize];
+        self.nearest[usize::from(part) % PARTS]
     }
 }

@@ -171,7 +171,7 @@ impl Engine {
         bins.reset(size);
         state.lanes.run(
             #[inline(always)]
-            || bins.fill(triangles, size, W::COUNTS, &mut stats),
+            || bins.fill(triangles, size, &rules, &mut stats),
         );
         rules.sorts = rules.hierarchical_z && !rules.counts && bins.are_deep(size);
         if let Some(clear) = &clear {

@@ -118,26 +118,26 @@ impl Tile {
         clear: Option<&Clear>,
         colors: &mut [u32],
     ) {
-        if let (Some(clear), [none, ..]) = (clear, &mut *colors) {
-            *none = u32::from_ne_bytes(clear.color);
+        let none = clear.map_or(0, |clear| u32::from_ne_bytes(clear.color));
+        if let Some(color) = colors.first_mut() {
+            *color = none;
         }
-        let color = |number: u32| {
-            let known = clear.is_some() || number > 0;
-            colors.get(number as usize).filter(|_| known).map(|color| color.to_ne_bytes())
-        };
+        let color = |number: u32| colors.get(number as usize).copied().unwrap_or(none).to_ne_bytes();
         for (range, at) in strip.rows(left) {
             let codes: &mut [[u8; 4]] = strip.color[4 * range.start..4 * range.end].as_chunks_mut().0;
             let numbers = &self.color.0[at..at + codes.len()];
             for (codes, numbers) in codes.chunks_mut(RUN).zip(numbers.chunks(RUN)) {
                 // Mostly one triangle is seen in all of a few pixels.
-                if numbers.iter().fold(0, |differ, number| differ | (number ^ numbers[0])) == 0 {
-                    if let Some(color) = color(numbers[0]) {
-                        codes.fill(color);
-                    }
-                    continue;
-                }
-                for (codes, number) in codes.iter_mut().zip(numbers) {
-                    *codes = color(*number).unwrap_or(*codes);
+                let differ = numbers.iter().fold(0, |differ, number| differ | (number ^ numbers[0]));
+                let pixels = codes.iter_mut().zip(numbers);
+                if clear.is_none() {
+                    pixels
+                        .filter(|(_, number)| **number > 0)
+                        .for_each(|(codes, number)| *codes = color(*number));
+                } else if differ == 0 {
+                    codes.fill(color(numbers[0]));
+                } else {
+                    pixels.for_each(|(codes, number)| *codes = color(*number));
                 }
             }
             self.store_depth(strip, range, at);

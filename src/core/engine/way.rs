@@ -59,7 +59,7 @@ impl Way for Plain {
         if *sorted {
             stats.sorted += 1;
             tile.number();
-            tile.draw_foremost(job, (list, &foremost.order), stats);
+            tile.draw_foremost(job, (list, foremost), stats);
         } else {
             tile.draw(&mut Flat, job, list, stats);
         }

@@ -54,6 +54,7 @@ mod scene;
 mod scene_errors;
 mod skips;
 mod stencil;
+mod stress;
 mod support;
 mod sutherland_hodgman;
 mod tour;

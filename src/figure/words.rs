@@ -120,6 +120,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "z-buffer"
     "depth-precision"
     "blend"
+    "stress"
     "bench"
     "measure"
     "figure"

@@ -891,3 +891,24 @@ preset-samples-per-sample = Inside the triangle the shade changes faster than pi
 
 preset-samples-on-an-edge-name = Samples on an edge
 preset-samples-on-an-edge = The left edge passes exactly through samples: the tie rule decides for samples as it does for centres.
+
+preset-stress-nearly-parallel-name = Nearly parallel lines
+preset-stress-nearly-parallel = Lines along a border, but for a few units of the last place. Where they cross it, binary32 subtracts nearly equal numbers: the cut lands far away, or a line is lost.
+
+preset-stress-beside-name = One step beside a centre
+preset-stress-beside = Vertices on pixel centres, or one step of binary32 beside them. The tie rule decides most pixels, and rounding may not: binary32 gets some wrong, exact none.
+
+preset-stress-huge-name = Huge triangles
+preset-stress-huge = Two vertices lie so far away that the image is a point to them. Products of such numbers keep no digit of a pixel.
+
+preset-stress-denormal-name = Below the smallest normal number
+preset-stress-denormal = Window and line are so small that their numbers have few bits left, and products of two are zero.
+
+preset-stress-sliver-name = A sliver, made small
+preset-stress-sliver = The triangle has nearly no area, and dividing by it multiplies every rounding. The first case that breaks is made small, number by number.
+
+preset-stress-near-w-zero-name = w near 0
+preset-stress-near-w-zero = A vertex lies next to the plane of the eye: its w is nearly 0, and 1/w drowns what the other vertices say.
+
+preset-stress-long-name = Sums over many columns
+preset-stress-long = The plane equation adds one slope a pixel. After a row of hundreds of pixels, the roundings of all additions have added up.

@@ -4,7 +4,7 @@
 use super::{
     ALL, AreaRatios, BackFace, Blend, Bvh, ClipConvex, ClipLine, ClipPlane, ClipPoint, ClipPolygon,
     ClipTriangle, DepthPrecision, DrawLine, DrawPoint, FillPolygon, FillTriangle, FrustumCulling,
-    Homogeneous, Msaa, PerspectiveCorrection, Pipeline, PlaneEquation, Stencil, Transform, ZBuffer,
+    Homogeneous, Msaa, PerspectiveCorrection, Pipeline, PlaneEquation, Stencil, Stress, Transform, ZBuffer,
     default_input, find,
 };
 use crate::{
@@ -168,6 +168,8 @@ families! {
     PerspectiveCorrection
     /// The stencil test, draw by draw.
     Stencil
+    /// Cases driven to where arithmetic breaks.
+    Stress
     /// Triangles, fragment by fragment.
     ZBuffer
     /// The step of depth along the line of sight.

@@ -29,6 +29,7 @@ mod of_pixel;
 mod perspective_correction;
 mod pipeline;
 mod stencil;
+mod stress;
 mod transform;
 mod z_buffer;
 
@@ -56,6 +57,7 @@ pub use self::{
     perspective_correction::PerspectiveCorrection,
     pipeline::Pipeline,
     stencil::{Order, Stencil},
+    stress::Stress,
     transform::Transform,
     z_buffer::{TriangleState, ZBuffer},
 };
@@ -142,6 +144,7 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<DrawLine>("diamond-exit", Stage::ScanConversion),
     LabInfo::new::<DrawPoint>("points", Stage::ScanConversion),
     LabInfo::new::<Msaa>("msaa", Stage::ScanConversion),
+    LabInfo::new::<Stress>("stress", Stage::ScanConversion),
     LabInfo::new::<AreaRatios>("area-ratios", Stage::Fragments),
     LabInfo::new::<PlaneEquation>("plane-equation", Stage::Fragments),
     LabInfo::new::<PerspectiveCorrection>("perspective-correction", Stage::Fragments),

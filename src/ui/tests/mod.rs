@@ -9,10 +9,12 @@ mod keeping;
 mod keys;
 mod labs;
 mod measure;
+mod overlay;
 mod painter;
 mod pictures;
 mod pixel;
 mod reach;
+mod skips;
 mod source;
 mod split;
 

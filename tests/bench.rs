@@ -1,6 +1,7 @@
 //! `bench`: the shape of what it writes, and that inputs and errors are the same on every run. Times are
 //! not tested: they are the machine's.
 
+use crate::cli::folder;
 use rasterscope_cli::bench::{BenchOptions, Subject, bench};
 use rasterscope_core::stress::Family;
 use rasterscope_measure::{claims::CLAIMS, race::Stage};
@@ -9,7 +10,6 @@ use std::{
     collections::BTreeSet,
     fs,
     io::{self, Write},
-    path::PathBuf,
     sync::LazyLock,
 };
 
@@ -162,13 +162,6 @@ fn cost_by_triangles_and_by_pixels_is_a_table_of_three_methods() {
     }
 }
 
-/// A folder of this test alone.
-fn folder(name: &str) -> PathBuf {
-    let folder = std::env::temp_dir().join(format!("rasterscope-{name}-{}", std::process::id()));
-    fs::create_dir_all(&folder).expect("a folder");
-    folder
-}
-
 #[test]
 fn a_picture_shows_every_row_and_a_table_holds_it() {
     let folder = folder("bench");
@@ -194,7 +187,6 @@ fn a_picture_shows_every_row_and_a_table_holds_it() {
     assert!(read("plot.png").starts_with(b"\x89PNG"));
     let refused = bench(&options("plot.gif"), &mut Vec::new(), None);
     assert_eq!(refused.map_err(|failure| failure.exit_code()), Err(2));
-    fs::remove_dir_all(folder).expect("it was there");
 }
 
 #[test]
@@ -212,5 +204,4 @@ fn every_claim_has_a_picture() {
         let svg = svg.expect("it was written");
         assert!(!svg.contains('⟨') && svg.contains("It "), "{}", claim.name);
     }
-    fs::remove_dir_all(folder).expect("it was there");
 }

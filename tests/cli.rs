@@ -112,8 +112,12 @@ fn what_cannot_be_traced_is_said_in_a_sentence() {
 }
 
 fn picture(lab: &str, file: &Path, step: Option<usize>, output: &Path) -> Result<(), Failure> {
+    figure(&options(lab, file, step, output), &mut Vec::new())
+}
+
+fn options(lab: &str, file: &Path, step: Option<usize>, output: &Path) -> FigureOptions {
     let (lab, file, output) = (lab.to_owned(), file.to_owned(), output.to_owned());
-    let options = FigureOptions {
+    FigureOptions {
         lab,
         file,
         step,
@@ -121,8 +125,7 @@ fn picture(lab: &str, file: &Path, step: Option<usize>, output: &Path) -> Result
         overlay: Default::default(),
         theme: ThemeName::Light,
         output,
-    };
-    figure(&options, &mut Vec::new())
+    }
 }
 
 #[test]
@@ -322,18 +325,9 @@ fn a_step_past_the_end_is_the_end_and_is_noted() {
     let folder = folder("past-the-end");
     let line = file(&folder, "line.json", LINE);
     for (step, noted) in [(Some(99_999), true), (Some(12), false), (None, false)] {
-        let (lab, file, output) = ("cohen-sutherland".into(), line.clone(), folder.join("a.svg"));
         let mut notes = Vec::new();
-        let options = FigureOptions {
-            lab,
-            file,
-            step,
-            size: SIZE,
-            overlay: Default::default(),
-            theme: ThemeName::Light,
-            output,
-        };
-        figure(&options, &mut notes).expect("it is drawn");
+        let output = folder.join("a.svg");
+        figure(&options("cohen-sutherland", &line, step, &output), &mut notes).expect("it is drawn");
         let notes = String::from_utf8(notes).expect("text");
         assert_eq!((notes.contains("12 steps"), notes.is_empty()), (noted, !noted), "{notes}");
     }

@@ -101,7 +101,7 @@ fn check_nearest(code: u32, exact: &Q, format: DepthFormat, what: &str) {
             let off = |value: f32| exact.sub(&Q::of(value)).abs();
             let value = f32::from_bits(code);
             [value.next_up(), value.next_down()].into_iter().all(|other| match off(value).cmp(&off(other)) {
-                Ordering::Equal => code % 2 == 0,
+                Ordering::Equal => code.is_multiple_of(2),
                 order => order.is_lt(),
             })
         }
@@ -143,7 +143,7 @@ fn every_biased_code_is_the_nearest() {
             let rows = DepthRows::new(vertices, format, &mut tally).placed(&placement, &mut tally);
             let mut spans = Vec::new();
             cover(Algorithm::Scanline, points, &settings, &mut Tally::default(), &mut |span| {
-                spans.push(span)
+                spans.push(span);
             });
             for span in spans {
                 for x in span.begin..span.end {

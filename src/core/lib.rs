@@ -30,6 +30,8 @@ pub mod raster;
 
 pub mod interpolate;
 
+pub mod shade;
+
 pub mod depth;
 
 pub mod visibility;

@@ -170,7 +170,7 @@ mod tests {
         let positions = soup.as_flattened();
         let drawn = Triangles { positions, indices: None, colors: Colors::One([255; 4]) };
         Engine::default().draw(&mut canvas, None, &drawn, &State::default());
-        let (color, ..) = canvas.into_parts();
+        let color = canvas.color();
         let (mut covered, mut differ) = (0, 0);
         for y in 0..64 {
             for x in 0..64 {

@@ -4,7 +4,7 @@ use rasterscope_core::message::{Message, Value};
 use serde::Serialize;
 
 /// The machine and the build.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Machine {
     /// The processor's name; empty if the system does not tell it.
     pub processor: String,

@@ -160,7 +160,8 @@ impl App {
             }
             ui.set_clip_rect(rect);
             if frame.compare.is_some() {
-                self.split_panel(ui, &face, &frame, lab);
+                let builder = UiBuilder::new().max_rect(rect);
+                ui.scope_builder(builder, |ui| self.split_panel(ui, &face, &frame, lab));
             } else if name == "pipeline" {
                 let head = rect.with_max_y(rect.top() + 42.0);
                 header::show(ui, &face, head, &self.document.scene, &mut self.view);

@@ -89,6 +89,10 @@ impl Real for Counted {
         Self(self.0 / 2.0)
     }
 
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+
     fn from_f32(value: f32) -> Self {
         Self(value)
     }

@@ -35,5 +35,7 @@ compare-corners = corners
 compare-pixels = pixels
 
 compare-counts = { $comparisons } cmp  { $multiplications } mul  { $divisions } div
+compare-model = Highlight
+compare-sides-lit = Sides lit
 
 column-answer = answer

@@ -52,6 +52,8 @@ pipeline-pixel-cut-before = The { $plane } plane had cut it before.
 pipeline-pixel-scissor = { $left } ≤ x < { $right }, { $top } ≤ y < { $bottom }
 pipeline-pixel-alpha = alpha { $alpha } { $compare } { $reference }
 pipeline-pixel-alpha-never = alpha { $alpha }: never kept
+pipeline-pixel-early-test = Early z may test it before its alpha is known, but not write it.
+pipeline-pixel-early-never = No early z: failing would change the stencil, so all waits for its alpha.
 pipeline-pixel-biased = depth { $plane } + bias { $bias } = { $sum }
 pipeline-pixel-biased-clamped = depth { $plane } + bias { $bias }, kept in 0 … 1: { $sum }
 pipeline-pixel-clamped = depth { $plane }, kept in 0 … 1: { $sum }
@@ -84,7 +86,6 @@ pipeline-pixel-why-lost-tie = The pixel is clear: its centre lies on an edge of 
 pipeline-pixel-why-cut-off = The pixel is clear: the { $plane } plane cut off what { $name } would show here.
 pipeline-pixel-why-back-facing = The pixel is clear: { $name } would cover it, but is culled, as it shows its back.
 pipeline-pixel-why-front-facing = The pixel is clear: { $name } would cover it, but is culled, as it shows its front.
-pipeline-pixel-clear = No triangle drew this pixel: it shows the clear colour.
 
 pipeline-overlay-none = nothing
 pipeline-overlay-depth = depth
@@ -101,3 +102,7 @@ pipeline-work-colors = colours computed
 pipeline-work-cleared = pixels cleared
 pipeline-work-stages = stages run
 pipeline-work-tiles = tiles and blocks
+pipeline-pixel-light-flat = lit once for the face: factor { $factor }
+pipeline-pixel-light-gouraud = lit at the vertices: { $color } comes here
+pipeline-pixel-light-inputs = P = { $place }, N = { $normal }
+pipeline-pixel-light-terms = ambient { $ambient } + diffuse { $diffuse }, specular { $specular }

@@ -594,7 +594,7 @@ preset-depth-bias-too-much-name = Too much bias
 preset-depth-bias-too-much = B stands in front of the wall A, and C is a decal on the wall. So large a bias lifts C not only off the wall, but through B, too.
 
 preset-depth-bias-slope-name = Stripes of a steep surface
-preset-depth-bias-slope = A to H are what a light saw, two pixels wide each; I and J are the surface itself. Half its pixels lie behind their own step. A bias by the slope cures that on any slope; a constant does not.
+preset-depth-bias-slope = A to H are what a light saw, in steps two pixels wide; I and J are the surface itself. Half its pixels lie behind their own step. A bias by the slope cures that on any slope; a constant does not.
 
 preset-depth-unclipped-name = In front of the near plane
 preset-depth-unclipped = A reaches from in front of the near plane to behind it and is cut there. B does the same without clipping: what is too near is drawn at depth 0.
@@ -912,3 +912,53 @@ preset-stress-near-w-zero = A vertex lies next to the plane of the eye: its w is
 
 preset-stress-long-name = Sums over many columns
 preset-stress-long = The plane equation adds one slope a pixel. After a row of hundreds of pixels, the roundings of all additions have added up.
+preset-light-highlight-name = In the highlight
+preset-light-highlight = The mirrored light goes nearly to the eye, so the specular term is nearly all of ks. Drag E, and it falls quickly.
+
+preset-light-behind-name = A light behind the surface
+preset-light-behind = n·l is below 0: without the test the diffuse term would take light away, and a highlight would shine through.
+
+preset-light-grazing-name = Grazing light
+preset-light-grazing = Flat light and a flat view: n·h changes half as fast as r·v, so Blinn's highlight is the larger one. Both side by side.
+
+preset-light-fades-name = A light that fades
+preset-light-fades = At the distance 2 only 1 / (1 + 0.5 + 1) of the light is left. The ambient term does not fade.
+
+preset-light-leaning-normal-name = Normals by the model matrix
+preset-light-leaning-normal = The surface is squeezed to a quarter of its height. The normal must go the other way: by the inverse transpose, as on the right.
+
+preset-light-both-sides-name = Both sides
+preset-light-both-sides = Seen from behind, a surface with one lit side is dark. Lit on both sides, its normal is turned to the eye.
+
+preset-light-too-bright-name = More than white
+preset-light-too-bright = The terms add up to more than 1, and all of that is white: the highlight has no shape any more.
+
+preset-light-small-highlight-name = A small highlight
+preset-light-small-highlight = The eye is 4° beside the mirrored light. With the exponent 128 that costs a third of the highlight, with 8 next to nothing.
+
+preset-shade-lost-highlight-name = A highlight between vertices
+preset-shade-lost-highlight = The highlight lies in the middle, where no vertex is. Lit at the vertices it is lost; lit at each pixel it is there.
+
+preset-shade-mach-band-name = A band along an edge
+preset-shade-mach-band = Gouraud's brightness grows along straight lines and turns back at the shared edge: the eye sees a bright band there. Phong's is round.
+
+preset-shade-facets-name = Facets
+preset-shade-facets = Flat: one factor for each face, and every edge is seen. Gouraud, beside it, takes the mean normal at each vertex.
+
+preset-shade-too-short-name = Normals too short
+preset-shade-too-short = Between the vertices an interpolated normal is shorter than 1. Used as it is, the middle is too dark and the highlight is gone.
+
+preset-shade-leaning-normals-name = The wrong matrix
+preset-shade-leaning-normals = The object is flattened. Its normals by the model matrix lean outwards, and the top, which faces the light, is too dark.
+
+preset-shade-all-varyings-name = All varyings
+preset-shade-all-varyings = Place, normal, colour and texture coordinates: each has a number at the vertices, and one that is interpolated in each pixel.
+
+preset-shade-hidden-name = Hidden, so not lit
+preset-shade-hidden = A is nearer and comes first. Where it hides B, the depth test fails and no light is computed for B at all.
+
+preset-lit-spheres-name = Three kinds of shading
+preset-lit-spheres = One sphere of 320 triangles, lit once for each face, at its vertices, and at each pixel.
+
+preset-lit-pawn-name = A pawn and two lights
+preset-lit-pawn = Lit at each pixel. The model has no normals: each vertex gets the mean of its faces, by area. A click on a pixel shows its terms.

@@ -125,8 +125,8 @@ impl Offset {
     #[inline]
     pub(super) fn at(&self, depth: Approx) -> Approx {
         let Approx { value, error } = depth + self.nearly;
-        // Limits leave no more of an error than there was. Not `clamp`, which leaves NaN.
-        Approx { value: value.max(0.0).min(1.0), error }
+        // Limits leave no more of an error than there was.
+        Approx { value: value.clamp(0.0, 1.0), error }
     }
 
     /// The same as a quotient without a rounding, of a depth `num / den` with a positive `den`; `steepest` is the

@@ -14,15 +14,23 @@ pub(super) trait Ink {
     const TOUCHES: bool;
 
     /// What neighbouring pixels hold after a triangle with that colour; `painted` is what they hold. Of each, the
-    /// masks say whether it is covered and whether it passes.
+    /// masks say whether it is covered and whether it passes. Unless an ink does otherwise, those that pass hold the
+    /// colour.
+    #[inline(always)]
     fn row<const N: usize>(
         &mut self,
         color: u32,
-        pixel: [u32; 2],
-        masks: [&[u32; N]; 2],
+        _pixel: [u32; 2],
+        [_covered, drawn]: [&[u32; N]; 2],
         painted: [u32; N],
-        stats: &mut Stats,
-    ) -> [u32; N];
+        _stats: &mut Stats,
+    ) -> [u32; N] {
+        let mut new = painted;
+        for i in 0..N {
+            new[i] = color & drawn[i] | painted[i] & !drawn[i];
+        }
+        new
+    }
 }
 
 /// One colour for all pixels of a triangle.
@@ -34,47 +42,14 @@ pub(super) struct Numbers;
 /// Painted at once.
 pub(super) struct Wet<'b, 'p, P: Painter>(pub(super) &'b mut Brushes<'p, P>);
 
-#[inline(always)]
-fn select<const N: usize>(color: u32, drawn: &[u32; N], painted: [u32; N]) -> [u32; N] {
-    let mut new = painted;
-    for i in 0..N {
-        new[i] = color & drawn[i] | painted[i] & !drawn[i];
-    }
-    new
-}
-
 impl Ink for Flat {
     const COUNTS: bool = false;
     const TOUCHES: bool = false;
-
-    #[inline(always)]
-    fn row<const N: usize>(
-        &mut self,
-        color: u32,
-        _: [u32; 2],
-        [_, drawn]: [&[u32; N]; 2],
-        painted: [u32; N],
-        _: &mut Stats,
-    ) -> [u32; N] {
-        select(color, drawn, painted)
-    }
 }
 
 impl Ink for Numbers {
     const COUNTS: bool = true;
     const TOUCHES: bool = false;
-
-    #[inline(always)]
-    fn row<const N: usize>(
-        &mut self,
-        color: u32,
-        _: [u32; 2],
-        [_, drawn]: [&[u32; N]; 2],
-        painted: [u32; N],
-        _: &mut Stats,
-    ) -> [u32; N] {
-        select(color, drawn, painted)
-    }
 }
 
 impl<P: Painter> Ink for Wet<'_, '_, P> {

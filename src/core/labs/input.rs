@@ -4,8 +4,8 @@
 use super::{
     ALL, AreaRatios, BackFace, Blend, Bvh, ClipConvex, ClipLine, ClipPlane, ClipPoint, ClipPolygon,
     ClipTriangle, DepthPrecision, DrawLine, DrawPoint, FillPolygon, FillTriangle, FrustumCulling,
-    Homogeneous, Msaa, PerspectiveCorrection, Pipeline, PlaneEquation, Stencil, Stress, Transform, ZBuffer,
-    default_input, find,
+    Homogeneous, Lighting, Msaa, PerspectiveCorrection, Pipeline, PlaneEquation, Shading, Stencil, Stress,
+    Transform, ZBuffer, default_input, find,
 };
 use crate::{
     compare::{Choice, Setting},
@@ -166,6 +166,10 @@ families! {
     PlaneEquation
     /// A checkered parallelogram, with and without perspective correction.
     PerspectiveCorrection
+    /// One point of a surface in a light.
+    Lighting
+    /// The scene through the vertex and the fragment stage.
+    Shading
     /// The stencil test, draw by draw.
     Stencil
     /// Cases driven to where arithmetic breaks.

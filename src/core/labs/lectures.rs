@@ -87,6 +87,8 @@ const TOPICS: &[(&str, &[Topic])] = &[
         "perspective-correction",
         &[at(RUSSIAN, "Интерполяция атрибутов"), at(TUZLA, "Interpolacija svojstava")],
     ),
+    ("lighting", &[at(SLOVENE, "Senčilnik fragmentov")]),
+    ("shading", &[at(SLOVENE, "Senčilnik oglišč"), at(SLOVENE, "Senčilnik fragmentov")]),
     ("edge-table", &[at(ESTONIAN, "Ridahaaval töötlemine")]),
     ("stencil", &[at(SLOVENE, "Test šablone")]),
     (

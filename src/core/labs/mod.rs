@@ -24,10 +24,12 @@ mod homogeneous;
 mod input;
 mod interpolation;
 mod lectures;
+mod lighting;
 mod msaa;
 mod of_pixel;
 mod perspective_correction;
 mod pipeline;
+mod shading;
 mod stencil;
 mod stress;
 mod transform;
@@ -53,9 +55,11 @@ pub use self::{
     frustum_culling::FrustumCulling,
     homogeneous::Homogeneous,
     interpolation::{AreaRatios, Interpolation, PlaneEquation},
+    lighting::Lighting,
     msaa::Msaa,
     perspective_correction::PerspectiveCorrection,
     pipeline::Pipeline,
+    shading::{ShadeMode, Shading},
     stencil::{Order, Stencil},
     stress::Stress,
     transform::Transform,
@@ -148,6 +152,8 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<AreaRatios>("area-ratios", Stage::Fragments),
     LabInfo::new::<PlaneEquation>("plane-equation", Stage::Fragments),
     LabInfo::new::<PerspectiveCorrection>("perspective-correction", Stage::Fragments),
+    LabInfo::new::<Lighting>("lighting", Stage::Fragments),
+    LabInfo::new::<Shading>("shading", Stage::Fragments),
     LabInfo::new::<Stencil>("stencil", Stage::Stencil),
     LabInfo::new::<ZBuffer>("z-buffer", Stage::Depth),
     LabInfo::new::<DepthPrecision>("depth-precision", Stage::Depth),

@@ -123,6 +123,10 @@ pub trait Real:
         self / (Self::ONE + Self::ONE)
     }
 
+    /// The square root, rounded correctly.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
     /// Converts from f32; exact in both types.
     #[must_use]
     fn from_f32(value: f32) -> Self;
@@ -139,6 +143,11 @@ pub trait Real:
 impl Real for f32 {
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
 
     #[inline]
     fn from_f32(value: f32) -> Self {
@@ -159,6 +168,11 @@ impl Real for f32 {
 impl Real for f64 {
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
 
     #[inline]
     fn from_f32(value: f32) -> Self {

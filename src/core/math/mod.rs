@@ -27,6 +27,7 @@ pub mod approx;
 pub mod arithmetic;
 pub mod dyadic;
 pub mod expansion;
+mod nearest;
 pub mod predicates;
 pub mod quotient;
 pub mod rounding;

@@ -6,7 +6,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{Dyadic, Real, dyadic::nearest_f64};
+use super::{Dyadic, Real, nearest::quotient_to_f64};
 
 /// Numbers with the four operations, rounded or not: what a taught formula is written in.
 pub trait Field:
@@ -71,7 +71,7 @@ impl Field for Quotient {
     }
 
     fn nearest_f64(&self) -> f64 {
-        nearest_f64(&self.numerator, &self.denominator)
+        quotient_to_f64(&self.numerator, &self.denominator)
     }
 }
 
@@ -158,7 +158,7 @@ mod tests {
                 Dyadic::ratio_to_f32(&dividend, &divisor).to_bits(),
                 "{numbers:?}"
             );
-            assert_eq!(value.nearest_f64().to_bits(), nearest_f64(&dividend, &divisor).to_bits());
+            assert_eq!(value.nearest_f64().to_bits(), quotient_to_f64(&dividend, &divisor).to_bits());
         }
     }
 

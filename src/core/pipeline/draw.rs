@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::{
     Bounding, Skip, Skips, Stats,
+    lit::{Lit, Varyings},
     stages::{self, Clipped, CullKey, Culled, Fate, Point},
     stats::Reason,
     visible::Visible,
@@ -13,6 +14,7 @@ use crate::{
     cull::{Facing, bvh::Aabb, frustum::Bounds, object_frustum::Body, planes::Volume},
     memo::{Memo, Rev},
     scene::{Draw, Mesh, Scene, Shade},
+    shade::{Illumination, Light, Material},
     stage::Stage,
     transform::{Camera, Matrix, Viewport, apply, chain::model_matrix, divide},
 };
@@ -71,6 +73,9 @@ pub(super) struct Shared<'s> {
     pub(super) skips: Skips,
 }
 
+/// What light depends on: vertices, mesh and model matrix, and how, from where and by what it is lit.
+type LitKey = ((u64, u64, Matrix), (Shade, Camera), (Vec<Light>, Material));
+
 /// What the stages made of one draw.
 #[derive(Debug, Default)]
 pub struct DrawOutputs {
@@ -85,10 +90,10 @@ pub struct DrawOutputs {
     view: Kept<(u64, Matrix), Vec<Point>>,
     clip: Kept<(u64, Matrix), Vec<Point>>,
     cull: Kept<(u64, u64, CullKey), Culled>,
-    polygons: Kept<(u64, u64, u64, Visible), Clipped>,
+    polygons: Kept<(u64, u64, [u64; 2], Visible), Clipped>,
     ndc: Kept<u64, Vec<Point>>,
     screen: Kept<(u64, Viewport), Vec<Point>>,
-    shade: Kept<(u64, u64, Shade, Camera), Vec<f32>>,
+    lit: Kept<LitKey, Lit>,
 }
 
 impl DrawOutputs {
@@ -143,9 +148,14 @@ impl DrawOutputs {
         self.screen.out.get()
     }
 
-    /// One factor for each triangle of the mesh, or none at all.
-    pub fn shade(&self) -> &[f32] {
-        self.shade.out.get()
+    /// The light on it.
+    pub fn lit(&self) -> &Lit {
+        self.lit.out.get()
+    }
+
+    /// What is interpolated over its triangles.
+    pub(super) fn varyings(&self) -> Varyings<'_> {
+        Varyings::new(&self.mesh, self.lit())
     }
 
     /// How often each stage has run.
@@ -158,13 +168,13 @@ impl DrawOutputs {
             polygons: self.polygons.memo.runs(),
             divide: self.ndc.memo.runs(),
             viewport: self.screen.memo.runs(),
-            shade: self.shade.memo.runs(),
+            shade: self.lit.memo.runs(),
         }
     }
 
     /// What the image depends on.
     pub(super) fn revisions(&self) -> [u64; 3] {
-        [self.polygons.out.rev(), self.screen.out.rev(), self.shade.out.rev()]
+        [self.polygons.out.rev(), self.screen.out.rev(), self.lit.out.rev()]
     }
 
     /// Takes the draw's mesh and place, and what stands for the object in the frustum test.
@@ -215,9 +225,18 @@ impl DrawOutputs {
         self.clip.update((view.rev(), shared.projection), || through(&shared.projection, view.get()));
         let clip = &self.clip.out;
         self.cull.update((clip.rev(), self.mesh_rev, key), || stages::cull(&key, clip.get(), mesh));
-        let cull = &self.cull.out;
-        self.polygons.update((clip.rev(), cull.rev(), self.mesh_rev, key.visible), || {
-            stages::clip(cull.get(), clip.get(), mesh, key.visible)
+        let Scene { camera, lights, .. } = shared.scene;
+        let lit = (draw.shade, *camera);
+        self.lit.update(((world.rev(), self.mesh_rev, model), lit, (lights.clone(), draw.material)), || {
+            let illumination = Illumination::new(camera, lights, draw.material);
+            Lit::new(draw.shade, mesh, &model, world.get(), &illumination)
+        });
+        let lit = &self.lit.out;
+        let (cull, varyings) = (&self.cull.out, Varyings::new(mesh, lit.get()));
+        // A factor for each triangle is not interpolated.
+        let attributes = [self.mesh_rev, if lit.get().normals.is_empty() { 0 } else { lit.rev() }];
+        self.polygons.update((clip.rev(), cull.rev(), attributes, key.visible), || {
+            stages::clip(cull.get(), clip.get(), &varyings, key.visible)
         });
         let polygons = &self.polygons.out;
         self.ndc.update(polygons.rev(), || polygons.get().corners.iter().copied().map(divide).collect());
@@ -225,10 +244,6 @@ impl DrawOutputs {
         let viewport = shared.viewport;
         self.screen.update((ndc.rev(), viewport), || {
             ndc.get().iter().map(|&point| viewport.to_screen(point)).collect()
-        });
-        let camera = shared.scene.camera;
-        self.shade.update((world.rev(), self.mesh_rev, draw.shade, camera), || {
-            stages::shade(draw.shade, world.get(), mesh, &camera)
         });
     }
 

@@ -30,7 +30,7 @@ pub fn enlarged_triangles(scene: &Scene, index: usize, enlarge: Enlarge) -> Vec<
     let matrix = product(&outputs.projection, &product(&outputs.view, stages.model()));
     enlarge.clip(&mesh, &matrix, scene.size, &mut clip);
     let key = CullKey::new(&alone.draws[0], scene.depth_range, Skips::ALL);
-    let clipped = stages::clip(&stages::cull(&key, &clip, &mesh), &clip, &mesh, key.visible);
+    let clipped = stages::clip(&stages::cull(&key, &clip, &mesh), &clip, &stages.varyings(), key.visible);
     let place = |corner: &stages::Point| outputs.viewport.to_screen(divide(*corner));
     let screen: Vec<_> = clipped.corners.iter().map(place).collect();
     let triangle = |piece| ScreenTriangle::new(index as u32, &screen, &clipped.colors, piece);

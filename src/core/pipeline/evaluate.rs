@@ -85,6 +85,11 @@ impl Pipeline {
         &self.outputs
     }
 
+    /// The outputs of the last run, to be kept.
+    pub(super) fn into_outputs(self) -> Outputs {
+        self.outputs
+    }
+
     /// The image of the last run.
     pub fn into_frame(self) -> Frame {
         self.outputs.frame

@@ -82,12 +82,13 @@ impl Gradient {
                     weights[i][lane] = across[i] - self.directions[i][1] * (at - self.starts[i][0]);
                 }
             }
-            let (mut inverse, mut bound, mut doubt) = ([0.0; LANES], [0.0; LANES], [0_u32; LANES]);
+            let (mut inverse, mut bound, mut sure) = ([0.0; LANES], [0.0; LANES], [0_u32; LANES]);
             for lane in 0..LANES {
                 let sum = weights[0][lane] + weights[1][lane] + weights[2][lane];
                 inverse[lane] = 1.0 / sum;
                 bound[lane] = scaled * inverse[lane] + rounding;
-                doubt[lane] = u32::from(!(2.0 * error < sum));
+                // What is not a number is less than nothing.
+                sure[lane] = u32::from(2.0 * error < sum);
             }
             let mut codes = [[0_u32; LANES]; 4];
             for c in 0..4 {
@@ -101,13 +102,13 @@ impl Gradient {
                     let value = value * inverse[lane] + 0.5;
                     let whole = value.floor();
                     let rest = value - whole;
-                    doubt[lane] |= u32::from(!(rest > bound[lane])) | u32::from(!(rest < 1.0 - bound[lane]));
+                    sure[lane] &= u32::from(rest > bound[lane]) & u32::from(rest < 1.0 - bound[lane]);
                     codes[c][lane] = (whole + SHIFT).to_bits() as u32;
                 }
             }
             for (lane, color) in colors.iter_mut().enumerate() {
                 *color = [0, 1, 2, 3].map(|c| codes[c][lane] as u8);
-                uncertain |= u64::from(doubt[lane]) << (chunk * LANES + lane);
+                uncertain |= u64::from(1 - sure[lane]) << (chunk * LANES + lane);
             }
         }
         uncertain

@@ -13,12 +13,14 @@ mod evaluate;
 mod fragments;
 mod frame;
 mod gradient;
+mod lit;
 mod multisample;
 mod names;
 mod objects;
 mod outcome;
 mod overlay;
 mod pixel;
+mod pixel_light;
 mod pixel_why;
 mod pixel_words;
 mod range;
@@ -37,14 +39,17 @@ pub use draw::{DrawOutputs, DrawRuns};
 pub use enlarged::enlarged_triangles;
 pub use evaluate::{Outputs, Pipeline};
 pub use frame::Frame;
+pub use lit::Lit;
 pub use names::{draw_name, screen_names, triangle_name};
 pub use objects::Bounding;
 pub use outcome::{Later, Outcome, PixelEntry, PixelHistory, Placed};
 pub use overlay::{Changed, Layer, Overlay, Wires};
 pub use pixel::{pixel_history, pixel_history_of};
+pub use pixel_light::pixel_light;
 pub use range::out_of_range;
 pub use rasterizer::Rasterizer;
 pub use screen_triangle::ScreenTriangle;
+pub(crate) use shader::Shader;
 pub use skips::{Skip, Skips};
 pub use stages::{Clipped, ClippedPolygon, Culled, Decision, Fate, Piece, Point};
 pub use stats::{Reason, StageCount, Stats, Unit};
@@ -59,6 +64,13 @@ pub fn render(scene: &Scene, skips: &Skips) -> Frame {
     let mut pipeline = Pipeline::default();
     pipeline.update(scene, skips);
     pipeline.into_frame()
+}
+
+/// The stages before the image, for a lab that draws it in its own way.
+pub(crate) fn geometry(scene: &Scene) -> Outputs {
+    let mut pipeline = Pipeline::default();
+    pipeline.update_geometry(scene, Skips::ALL);
+    pipeline.into_outputs()
 }
 
 /// The triangles that are scan converted, in drawing order.

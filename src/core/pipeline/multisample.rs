@@ -127,12 +127,12 @@ impl Target {
         let index = y as usize * self.state.size[0] as usize + x as usize;
         let Self { state: image, multisample, counts, written, watch, .. } = self;
         let Some(multisample) = multisample else { return };
-        watch.iter_mut().for_each(|watch| watch.generated(index..index + 1));
         counts.fragments += 1;
         if drawn.state.scissor.is_some_and(|scissor| !scissor.holds(pixel)) {
             counts.scissored += 1;
             return;
         }
+        watch.iter_mut().for_each(|watch| watch.generated(index..index + 1));
         let early = image.skips.has(Skip::EarlyZ);
         let early = early && drawn.state.early(early) != Early::Never;
         let tally = &mut counts.tally;

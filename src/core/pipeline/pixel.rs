@@ -161,7 +161,7 @@ impl Probe {
             return None;
         }
         let mut clipped = Clipped::default();
-        clipped.push(triangle, false, stages.clip(), stages.mesh(), visible);
+        clipped.push(triangle, false, stages.clip(), &stages.varyings(), visible);
         let place = |i: u32| self.viewport.to_screen(divide(clipped.corners[i as usize]));
         let pieces: Vec<_> = clipped.pieces.iter().map(|piece| piece.corners.map(place)).collect();
         let near = pieces.iter().any(|corners| self.is_near(corners));

@@ -4,7 +4,7 @@ use super::outcome::{Later, Outcome, PixelEntry, Placed};
 use crate::{
     blend::{BlendOperation, Terms},
     cull::Facing,
-    depth::DepthFormat,
+    depth::{DepthFormat, Early},
     explain::Role,
     message::{Message, Value},
     scene::{Draw, Scene},
@@ -86,12 +86,15 @@ impl PixelEntry {
                 let test = draw.alpha_test.unwrap_or_default();
                 let sign = test.compare.opposite_sign();
                 let id = if sign.is_empty() { "pipeline-pixel-alpha-never" } else { "pipeline-pixel-alpha" };
-                vec![
-                    Message::new(id)
-                        .with("alpha", alpha)
-                        .with("compare", Value::text(sign))
-                        .with("reference", test.reference),
-                ]
+                let numbers = Message::new(id)
+                    .with("alpha", alpha)
+                    .with("compare", Value::text(sign))
+                    .with("reference", test.reference);
+                let early = match Early::of(true, draw.depth.test, draw.stencil.as_ref()) {
+                    Early::Never => "pipeline-pixel-early-never",
+                    Early::Whole | Early::TestOnly => "pipeline-pixel-early-test",
+                };
+                vec![numbers, Message::new(early)]
             }
             Outcome::Stencil { stored } => self.stencil(draw, stored, StencilOutcome::Fail),
             Outcome::Depth { new, stored, stencil } => {

@@ -1,6 +1,6 @@
 //! The colour of a fragment, exact until it is written.
 
-use std::cell::Cell;
+use std::{cell::Cell, sync::Arc};
 
 use super::{DrawOutputs, Piece, gradient::Gradient};
 use crate::{
@@ -8,20 +8,24 @@ use crate::{
     interpolate::{Interpolator, Weights, unorm},
     math::{Approx, Dyadic, Tally, rounded_code, rounded_ratio},
     scene::Texture,
+    shade::{Illumination, Surface, lighting},
+    trace::{NoTrace, Tracer},
 };
 
 /// What a dark square of the checker leaves of a colour. A power of two, so that nothing is rounded.
 const DARK: f32 = 0.25;
 
-/// The fragment shader of one triangle: vertex colour, times texture, times shade. Both factors leave
-/// alpha alone.
-pub(super) struct Shader {
+/// The fragment shader of one triangle: vertex colour, times texture, times shade; or, where each pixel
+/// is lit, in that light. All of it leaves alpha alone.
+pub(crate) struct Shader {
     interpolator: Interpolator,
     /// Vertex values of red, green, blue, alpha.
     channels: [[f32; 3]; 4],
     /// Vertex values of u and v, with the texture they look up.
     texture: Option<([[f32; 3]; 2], Texture)>,
     shade: f32,
+    /// Present if each pixel is lit.
+    pixels: Option<Pixels>,
     /// Whether the vertices have the same colour.
     uniform: bool,
     /// The code of all fragments, if they have the same colour.
@@ -29,6 +33,24 @@ pub(super) struct Shader {
     /// What blending gave last, if the vertices have the same colour: neighbours mostly ask the same,
     /// and one half over codes is an exact tie, which is slow, every other time.
     last: Cell<Option<Blended>>,
+}
+
+/// What a lit pixel needs: vertex values of x, y and z of its place and of its normal, in world space.
+struct Pixels {
+    place: [[f32; 3]; 3],
+    normal: [[f32; 3]; 3],
+    illumination: Arc<Illumination>,
+}
+
+/// What the fragment stage is given: each value the exact interpolated one, rounded once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Inputs {
+    /// Present if pixels are lit.
+    pub(crate) surface: Option<Surface>,
+    /// Before texture and light.
+    pub(crate) color: [f32; 4],
+    /// Present if there is a texture.
+    pub(crate) uv: Option<[f32; 2]>,
 }
 
 /// A blended fragment of a triangle of one colour.
@@ -40,16 +62,18 @@ struct Blended {
 }
 
 /// The colour of one fragment, not rounded yet.
-pub(super) struct Color<'s> {
+pub(crate) struct Color<'s> {
     shader: &'s Shader,
     weights: Weights<'s>,
     /// Multiplies red, green and blue; exact.
     factor: f32,
+    /// In the light of this pixel, in place of all that.
+    lit: Option<[f32; 4]>,
 }
 
 impl Shader {
     /// `None` if the piece has no area on the screen.
-    pub(super) fn new(
+    pub(crate) fn new(
         draw: &DrawOutputs,
         piece: &Piece,
         texture: Option<Texture>,
@@ -64,8 +88,15 @@ impl Shader {
         let texture = texture
             .filter(|_| !uvs.is_empty())
             .map(|texture| ([0, 1].map(|axis| corners.map(|i| uvs[i][axis])), texture));
-        let (uniform, shade, last) = (is_uniform(&channels), shade(draw, piece), Cell::new(None));
-        Some(Self { interpolator, channels, texture, shade, uniform, constant, last })
+        let by_axis = |values: &[[f32; 3]]| [0, 1, 2].map(|axis| corners.map(|i| values[i][axis]));
+        let pixels = draw.lit().illumination.as_ref().map(|illumination| Pixels {
+            place: by_axis(&draw.clipped().places),
+            normal: by_axis(&draw.clipped().normals),
+            illumination: Arc::clone(illumination),
+        });
+        let uniform = pixels.is_none() && is_uniform(&channels);
+        let (shade, last) = (shade(draw, piece), Cell::new(None));
+        Some(Self { interpolator, channels, texture, shade, pixels, uniform, constant, last })
     }
 
     /// The codes of every fragment of a piece, if they are the same.
@@ -76,7 +107,10 @@ impl Shader {
         tally: &mut Tally,
     ) -> Option<[u8; 4]> {
         let channels = channels(draw, piece);
-        if !is_uniform(&channels) || texture.is_some() && !draw.clipped().uvs.is_empty() {
+        if draw.lit().illumination.is_some()
+            || !is_uniform(&channels)
+            || texture.is_some() && !draw.clipped().uvs.is_empty()
+        {
             return None;
         }
         let [r, g, b, a] = channels.map(|channel| channel[0]);
@@ -85,9 +119,9 @@ impl Shader {
         Some([r, g, b, unorm(a, 255) as u8])
     }
 
-    /// The same for whole rows at once; `None` with a texture.
+    /// The same for whole rows at once; `None` with a texture or where pixels are lit.
     pub(super) fn gradient(&self) -> Option<Gradient> {
-        if self.texture.is_some() {
+        if self.texture.is_some() || self.pixels.is_some() {
             return None;
         }
         let scale = 255.0 * f64::from(self.shade);
@@ -106,7 +140,17 @@ impl Shader {
     }
 
     /// The colour at a point of the triangle, in pixels.
-    pub(super) fn at(&self, point: [f32; 2], tally: &mut Tally) -> Color<'_> {
+    pub(crate) fn at(&self, point: [f32; 2], tally: &mut Tally) -> Color<'_> {
+        self.at_traced(point, tally, &mut NoTrace)
+    }
+
+    /// [`at`](Self::at), with the light of the pixel step by step.
+    pub(crate) fn at_traced<T: Tracer<lighting::Event>>(
+        &self,
+        point: [f32; 2],
+        tally: &mut Tally,
+        t: &mut T,
+    ) -> Color<'_> {
         let weights = self.interpolator.at_point(point, tally);
         let texel = match self.texture {
             None => 1.0,
@@ -115,7 +159,30 @@ impl Shader {
                 texture.factor(u, v)
             }
         };
-        Color { shader: self, weights, factor: texel * self.shade }
+        let lit = self.pixels.as_ref().map(|pixels| {
+            let [r, g, b, a] = self.channels.map(|channel| weights.value(channel, tally));
+            // A texel is a power of two.
+            let color = [r * texel, g * texel, b * texel, a];
+            pixels.illumination.at_pixel_traced(pixels.surface(&weights, tally), t).of(color)
+        });
+        Color { shader: self, weights, factor: texel * self.shade, lit }
+    }
+
+    /// What the fragment stage is given at a point.
+    pub(crate) fn inputs(&self, point: [f32; 2], tally: &mut Tally) -> Inputs {
+        let weights = self.interpolator.at_point(point, tally);
+        Inputs {
+            surface: self.pixels.as_ref().map(|pixels| pixels.surface(&weights, tally)),
+            color: self.channels.map(|channel| weights.value(channel, tally)),
+            uv: self.texture.map(|(uvs, _)| uvs.map(|values| weights.value(values, tally))),
+        }
+    }
+}
+
+impl Pixels {
+    fn surface(&self, weights: &Weights<'_>, tally: &mut Tally) -> Surface {
+        let mut vector = |values: &[[f32; 3]; 3]| values.map(|values| weights.value(values, tally));
+        Surface { position: vector(&self.place), normal: vector(&self.normal) }
     }
 }
 
@@ -138,7 +205,7 @@ fn is_uniform(channels: &[[f32; 3]; 4]) -> bool {
 
 /// What multiplies the colours of a piece.
 fn shade(draw: &DrawOutputs, piece: &Piece) -> f32 {
-    draw.shade().get(piece.triangle as usize).copied().unwrap_or(1.0)
+    draw.lit().factors.get(piece.triangle as usize).copied().unwrap_or(1.0)
 }
 
 impl Texture {
@@ -154,6 +221,12 @@ impl Texture {
 }
 
 impl Color<'_> {
+    /// The colour, each channel rounded once.
+    pub(crate) fn values(&self, tally: &mut Tally) -> [f32; 4] {
+        let value = |channel| rounded_ratio(self.approx(channel), || self.exact(channel), tally);
+        self.lit.unwrap_or_else(|| [0, 1, 2, 3].map(value))
+    }
+
     fn factor(&self, channel: usize) -> f32 {
         if channel == 3 { 1.0 } else { self.factor }
     }
@@ -164,23 +237,27 @@ impl Color<'_> {
         (a == b && b == c).then_some(a)
     }
 
-    /// All four channels, each rounded to f32; to be shown.
-    pub(super) fn values(&self, tally: &mut Tally) -> [f32; 4] {
-        [0, 1, 2, 3].map(|channel| rounded_ratio(self.approx(channel), || self.exact(channel), tally))
-    }
-
     pub(super) fn approx(&self, channel: usize) -> Approx {
+        if let Some(lit) = self.lit {
+            return Approx::exact(f64::from(lit[channel]));
+        }
         self.weights.approx(self.shader.channels[channel]) * Approx::from(self.factor(channel))
     }
 
     /// One channel as a quotient without a rounding.
     pub(super) fn exact(&self, channel: usize) -> (Dyadic, Dyadic) {
+        if let Some(lit) = self.lit {
+            return (Dyadic::from(lit[channel]), Dyadic::one());
+        }
         let (value, weight) = self.weights.exact(self.shader.channels[channel]);
         (value * Dyadic::from(self.factor(channel)), weight)
     }
 
     /// `floor(255 c + 1/2)` of each channel.
-    pub(super) fn codes(&self, tally: &mut Tally) -> [u8; 4] {
+    pub(crate) fn codes(&self, tally: &mut Tally) -> [u8; 4] {
+        if let Some(lit) = self.lit {
+            return lit.map(|channel| unorm(channel, 255) as u8);
+        }
         if self.factor == 1.0 {
             return self.shader.channels.map(|channel| self.weights.code8(channel, tally));
         }

@@ -1,14 +1,13 @@
 //! The stages before scan conversion: what each computes, from values to values.
 
-use super::{Skip, Skips, visible::Visible};
+use super::{Skip, Skips, lit::Varyings, visible::Visible};
 use crate::{
     clip::polygon::Plane,
     cull::{CullMode, Facing, FrontFace, facing},
     math::Tally,
-    scene::{Draw, Mesh, Shade},
-    transform::{Camera, DepthRange, Projection},
+    scene::{Draw, Mesh},
+    transform::DepthRange,
 };
-use glam::DVec3;
 
 /// A point of a homogeneous space.
 pub type Point = [f32; 4];
@@ -142,13 +141,17 @@ pub struct Clipped {
     pub colors: Vec<[f32; 4]>,
     /// The texture coordinates at each corner, or none at all.
     pub uvs: Vec<[f32; 2]>,
+    /// The normal in world space at each corner, not of length 1, if pixels are lit.
+    pub normals: Vec<[f32; 3]>,
+    /// The place in world space of each corner, if pixels are lit.
+    pub places: Vec<[f32; 3]>,
     /// Triangles of which nothing was left.
     pub lost: usize,
     /// Signs and roundings asked for.
     pub tally: Tally,
 }
 
-pub(super) fn clip(culled: &Culled, clip: &[Point], mesh: &Mesh, visible: Visible) -> Clipped {
+pub(super) fn clip(culled: &Culled, clip: &[Point], varyings: &Varyings<'_>, visible: Visible) -> Clipped {
     let mut out = Clipped::default();
     for (index, decision) in (0..).zip(&culled.decisions) {
         if decision.fate == Fate::Dropped {
@@ -156,8 +159,8 @@ pub(super) fn clip(culled: &Culled, clip: &[Point], mesh: &Mesh, visible: Visibl
         }
         let carried = decision.fate == Fate::Carried;
         if decision.inside && !carried {
-            out.push_whole(index, clip, mesh);
-        } else if !out.push(index, carried, clip, mesh, visible) {
+            out.push_whole(index, clip, varyings);
+        } else if !out.push(index, carried, clip, varyings, visible) {
             out.lost += 1;
         }
     }
@@ -166,17 +169,22 @@ pub(super) fn clip(culled: &Culled, clip: &[Point], mesh: &Mesh, visible: Visibl
 
 impl Clipped {
     /// Takes a triangle that lies inside all planes and has an area.
-    fn push_whole(&mut self, triangle: u32, clip: &[Point], mesh: &Mesh) {
-        let indices = mesh.triangles[triangle as usize].map(|i| i as usize);
+    fn push_whole(&mut self, triangle: u32, clip: &[Point], varyings: &Varyings<'_>) {
+        let indices = varyings.triangles[triangle as usize].map(|i| i as usize);
         let first = self.corners.len() as u32;
         self.corners.extend(indices.map(|i| clip[i]));
-        self.colors.extend(indices.map(|i| mesh.colors[i]));
-        if !mesh.uvs.is_empty() {
-            self.uvs.extend(indices.map(|i| mesh.uvs[i]));
-        }
+        self.take_whole(indices, varyings);
         self.polygons.push(ClippedPolygon { triangle, first, len: 3, cut: false, carried: false });
         let corners = [first, first + 1, first + 2];
         self.pieces.push(Piece { corners, triangle, part: 0, carried: false });
+    }
+
+    /// Takes the attributes of a triangle's own corners.
+    fn take_whole(&mut self, corners: [usize; 3], varyings: &Varyings<'_>) {
+        self.colors.extend(corners.map(|i| varyings.colors[i]));
+        self.uvs.extend(of_corners(varyings.uvs, corners).into_iter().flatten());
+        self.normals.extend(of_corners(varyings.normals, corners).into_iter().flatten());
+        self.places.extend(of_corners(varyings.places, corners).into_iter().flatten());
     }
 
     /// Clips one triangle; `false` if nothing is left of it.
@@ -185,10 +193,10 @@ impl Clipped {
         triangle: u32,
         carried: bool,
         clip: &[Point],
-        mesh: &Mesh,
+        varyings: &Varyings<'_>,
         visible: Visible,
     ) -> bool {
-        let indices = mesh.triangles[triangle as usize].map(|i| i as usize);
+        let indices = varyings.triangles[triangle as usize].map(|i| i as usize);
         let polygon = visible.clip(indices.map(|i| clip[i]), &mut self.tally);
         let corners = polygon.corners();
         // Where w rounds to zero there is no place on the screen: the eye's own point.
@@ -197,16 +205,22 @@ impl Clipped {
         }
         let first = self.corners.len() as u32;
         self.corners.extend(corners.iter().map(|corner| corner.position));
-        let colors = indices.map(|i| mesh.colors[i]);
-        let uvs = (!mesh.uvs.is_empty()).then(|| indices.map(|i| mesh.uvs[i]));
         if polygon.is_whole() {
-            self.colors.extend(colors);
-            self.uvs.extend(uvs.into_iter().flatten());
+            self.take_whole(indices, varyings);
         } else {
+            let colors = indices.map(|i| varyings.colors[i]);
+            let uvs = of_corners(varyings.uvs, indices);
+            let normals = of_corners(varyings.normals, indices);
+            let places = of_corners(varyings.places, indices);
             for corner in corners {
                 let mut attribute = |values| polygon.attribute(corner, values, &mut self.tally);
                 self.colors.push([0, 1, 2, 3].map(|channel| attribute(colors.map(|color| color[channel]))));
                 self.uvs.extend(uvs.map(|uvs| [0, 1].map(|axis| attribute(uvs.map(|uv| uv[axis])))));
+                let mut vector = |vectors: [[f32; 3]; 3]| {
+                    [0, 1, 2].map(|axis| attribute(vectors.map(|vector| vector[axis])))
+                };
+                self.normals.extend(normals.map(&mut vector));
+                self.places.extend(places.map(&mut vector));
             }
         }
         let (len, cut) = (corners.len() as u32, !polygon.is_whole());
@@ -219,33 +233,7 @@ impl Clipped {
     }
 }
 
-/// One factor for each triangle: `(1 + 3 |n . e|) / 4` with its unit normal n in world space and the
-/// unit direction e from its centroid to the eye; for an orthographic camera, against the line of sight.
-///
-/// So what faces the eye keeps its colour and what is edge-on keeps a quarter; both sides alike. 1 for a
-/// triangle without area. In binary64, rounded once.
-pub(super) fn shade(shade: Shade, world: &[Point], mesh: &Mesh, camera: &Camera) -> Vec<f32> {
-    if shade == Shade::None || world.is_empty() {
-        return Vec::new();
-    }
-    let wide = |p: [f32; 3]| DVec3::from_array(p.map(f64::from));
-    let (eye, target) = (wide(camera.eye), wide(camera.target));
-    let factor = |triangle: &[u32; 3]| {
-        let [a, b, c] = triangle.map(|i| {
-            let [x, y, z, _] = world[i as usize];
-            wide([x, y, z])
-        });
-        let normal = (b - a).cross(c - a);
-        let to_eye = match camera.projection {
-            Projection::Perspective { .. } => eye - (a + b + c) / 3.0,
-            Projection::Orthographic { .. } => eye - target,
-        };
-        let lengths = normal.length() * to_eye.length();
-        if lengths > 0.0 {
-            ((1.0 + 3.0 * normal.dot(to_eye).abs() / lengths) / 4.0).min(1.0) as f32
-        } else {
-            1.0
-        }
-    };
-    mesh.triangles.iter().map(factor).collect()
+/// An attribute at the corners of a triangle, if there is one.
+fn of_corners<const N: usize>(values: &[[f32; N]], corners: [usize; 3]) -> Option<[[f32; N]; 3]> {
+    (!values.is_empty()).then(|| corners.map(|i| values[i]))
 }

@@ -15,7 +15,8 @@ const NOBODY: u32 = u32::MAX;
 pub struct PixelCounts {
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// Fragments that scan conversion made within the scissor, also those discarded later; with several samples a pixel, triangles that cover one.
+    /// Fragments that scan conversion made within the scissor, also those discarded later; with several samples
+    /// a pixel, triangles that cover one.
     pub generated: Vec<u32>,
     /// Fragments whose colour was written.
     pub written: Vec<u32>,

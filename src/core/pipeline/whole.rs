@@ -250,7 +250,7 @@ struct Palette<'w> {
 enum Brush<'w> {
     Constant([u8; 4]),
     /// Whole rows at once, as far as that is certain.
-    Gradient(Gradient, Place),
+    Gradient(Box<Gradient>, Place),
     Shader(Box<Shader>, &'w FragmentState),
 }
 
@@ -274,7 +274,7 @@ impl<'w> Painter for Palette<'w> {
         // What covers a pixel has an area.
         let Some(shader) = self.shader(place, tally) else { return Brush::Constant([0; 4]) };
         match shader.gradient() {
-            Some(gradient) if state.blend.is_none() => Brush::Gradient(gradient, place),
+            Some(gradient) if state.blend.is_none() => Brush::Gradient(Box::new(gradient), place),
             _ => Brush::Shader(Box::new(shader), state),
         }
     }

@@ -7,6 +7,7 @@ use crate::{
     depth::{DepthFormat, DepthPlacement, DepthState},
     labs::LabInput,
     raster::{FillRule, Scissor, YAxis},
+    shade::{Light, Material},
     stencil::StencilState,
     transform::{Camera, DepthRange},
 };
@@ -41,6 +42,8 @@ pub struct Scene {
     pub samples: u32,
     /// Which way y grows in screen space.
     pub y_axis: YAxis,
+    /// What lights the draws that are shaded; none: one light in the eye.
+    pub lights: Vec<Light>,
     /// What is drawn, in this order.
     pub draws: Vec<Draw>,
     /// The lab that the scene opens, with its inputs.
@@ -76,6 +79,7 @@ impl Scene {
             fill_rule,
             samples,
             y_axis,
+            lights,
             draws,
             lab: _, // every other field stands here: a new one is not forgotten
         } = self;
@@ -84,7 +88,7 @@ impl Scene {
             && (depth_range, depth_format, reversed)
                 == (&other.depth_range, &other.depth_format, &other.reversed)
             && (fill_rule, samples, y_axis) == (&other.fill_rule, &other.samples, &other.y_axis)
-            && *draws == other.draws
+            && (lights, draws) == (&other.lights, &other.draws)
     }
 
     /// A scene that draws nothing, with the defaults of the scene file.
@@ -101,6 +105,7 @@ impl Scene {
             fill_rule: FillRule::default(),
             samples: 1,
             y_axis: YAxis::default(),
+            lights: Vec::new(),
             draws: Vec::new(),
             lab: None,
         }
@@ -156,6 +161,8 @@ pub struct Draw {
     pub texture: Option<Texture>,
     /// How the colour depends on the direction of the surface.
     pub shade: Shade,
+    /// How the surface answers to light, if it is shaded.
+    pub material: Material,
 }
 
 impl Draw {
@@ -175,6 +182,7 @@ impl Draw {
             blend: None,
             texture: None,
             shade: Shade::default(),
+            material: Material::default(),
         }
     }
 }
@@ -309,17 +317,33 @@ pub enum Shade {
     None,
     /// One factor for each triangle, from its normal, so that a model without colours is readable.
     Flat,
+    /// Lit at the vertices, by their normals; the colours are interpolated.
+    Gouraud,
+    /// Lit at each pixel, by the interpolated normal.
+    Phong,
 }
 
 impl Shade {
-    /// Both, the default first.
-    pub const ALL: [Self; 2] = [Self::None, Self::Flat];
+    /// All of them, the default first.
+    pub const ALL: [Self; 4] = [Self::None, Self::Flat, Self::Gouraud, Self::Phong];
 
     /// The name in scene files.
     pub fn name(self) -> &'static str {
         match self {
             Self::None => "none",
             Self::Flat => "flat",
+            Self::Gouraud => "gouraud",
+            Self::Phong => "phong",
+        }
+    }
+
+    /// Message id of its name.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::None => "word-shade-none",
+            Self::Flat => "word-shade-flat",
+            Self::Gouraud => "word-shade-gouraud",
+            Self::Phong => "word-shade-phong",
         }
     }
 }

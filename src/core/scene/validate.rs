@@ -48,6 +48,9 @@ impl Scene {
         refuse_if(Samples::try_from(self.samples).is_err(), "samples", Problem::Samples)?;
         let limit = MAX_PIXELS / self.samples;
         refuse_if(width * height > limit, "size", Problem::TooManyPixels { limit })?;
+        for (i, light) in self.lights.iter().enumerate() {
+            light.check().map_err(|e| e.within(i).within("lights"))?;
+        }
         for (i, item) in self.draws.iter().enumerate() {
             draw(item).map_err(|e| e.within(i).within("draws"))?;
         }
@@ -174,6 +177,7 @@ fn draw(draw: &Draw) -> Checked {
     for (field, values) in parts {
         each_finite(values).map_err(|e| e.within(*field).within("transform"))?;
     }
+    draw.material.check().map_err(|e| e.within("material"))?;
     check_bias(draw.placement.bias).map_err(|e| e.within("bias").within("depth"))?;
     check_cut(draw.scissor, draw.alpha_test)?;
     let constant = draw.blend.map_or([0.0; 4], |blend| blend.constant);

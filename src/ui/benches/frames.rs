@@ -4,7 +4,8 @@
 #![expect(clippy::print_stdout, reason = "a benchmark says what it measured")]
 
 use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
-use rasterscope_ui::{App, Platform, Purpose, Reader};
+use rasterscope_measure::Machine;
+use rasterscope_ui::{App, Clock, Platform, Purpose, Reader};
 use std::{io, time::Instant};
 
 /// Milliseconds that this thread has run, so that other programs do not count; the system counts in
@@ -44,6 +45,15 @@ impl Platform for Files {
 
     fn spawn(&mut self, work: Box<dyn FnOnce() + Send>) {
         std::thread::spawn(work);
+    }
+
+    fn clock(&mut self) -> Clock {
+        let start = Instant::now();
+        Box::new(move || start.elapsed().as_secs_f64())
+    }
+
+    fn machine(&mut self) -> Machine {
+        Machine::default()
     }
 }
 

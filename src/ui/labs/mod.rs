@@ -28,6 +28,8 @@ mod frustum_culling;
 mod homogeneous;
 mod interpolation;
 mod liang_barsky;
+mod light;
+mod lighting;
 mod midpoint;
 mod msaa;
 mod nicholl_lee_nicholl;
@@ -39,6 +41,7 @@ mod plane_equation;
 mod point_clipping;
 mod points;
 mod scanline;
+mod shading;
 mod stencil;
 mod stress;
 mod sutherland_hodgman;
@@ -193,6 +196,8 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(area_ratios::LAB),
         Box::new(plane_equation::LAB),
         Box::new(perspective_correction::PerspectiveCorrection),
+        Box::new(lighting::Lighting),
+        Box::new(shading::Shading),
         Box::new(z_buffer::ZBuffer),
         Box::new(depth_precision::DepthPrecision),
         Box::new(blend::Blend),

@@ -1,7 +1,7 @@
 //! The overview: the whole scene, its conventions, and vertices to drag in the image.
 
 use super::{
-    Handle, Kind, Lab, Outcome, scanline::fill_rule, transform::depth_range, z_buffer::depth_format,
+    Handle, Kind, Lab, Outcome, light, scanline::fill_rule, transform::depth_range, z_buffer::depth_format,
 };
 use crate::{
     document::{Document, ViewState},
@@ -42,9 +42,11 @@ impl Lab for Pipeline {
         choices::choose(ui, face, "ui-y-axis", &mut document.scene.y_axis, &all);
         facing(ui, face, document);
         choices::snapping(ui, face, view);
+        light::shade(ui, face, &mut document.scene);
         super::objects::show(ui, face, &mut document.scene);
         super::fragment_state::of_draws(ui, face, &mut document.scene);
         super::placing::camera(ui, face, &mut document.scene);
+        light::show(ui, face, &mut document.scene);
         heading(ui, face, &face.say("ui-skips"));
         for (skip, name) in SKIPS {
             let mut on = view.skips.has(skip);

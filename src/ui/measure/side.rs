@@ -80,7 +80,7 @@ fn growth(ui: &mut Ui, face: &Face<'_>, shown: &mut Shown) {
 fn claims(ui: &mut Ui, face: &Face<'_>, measure: &mut Measure) {
     let height = face.look.row_height();
     // Half of the room at most: the rest is for numbers.
-    let room = ui.available_height() * 0.55;
+    let room = ui.available_height() * 0.58;
     let list = ScrollArea::vertical().id_salt("claims").max_height(room).auto_shrink([false, true]);
     list.show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;

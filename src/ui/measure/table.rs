@@ -15,7 +15,7 @@ use rasterscope_measure::{
 };
 
 /// Width of a column of numbers, and in a hall.
-const NUMBER: [f32; 2] = [66.0, 96.0];
+const NUMBER: [f32; 2] = [66.0, 84.0];
 /// Width of the arithmetic.
 const SHORT: f32 = 54.0;
 

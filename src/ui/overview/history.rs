@@ -6,7 +6,7 @@ use rasterscope_core::{
     message::{Message, Value},
     pipeline::{
         Outcome, Outputs, PixelCounts, PixelEntry, PixelHistory, ScreenTriangle, draw_name, pixel_history,
-        triangle_name,
+        pixel_light, triangle_name,
     },
     scene::Scene,
 };
@@ -39,12 +39,18 @@ pub(crate) struct Entry {
 }
 
 impl History {
-    pub(crate) fn new(history: &PixelHistory, scene: &Scene, words: &Words) -> Self {
+    pub(crate) fn new(history: &PixelHistory, scene: &Scene, outputs: &Outputs, words: &Words) -> Self {
+        let light = |entry| pixel_light(scene, outputs, entry, history.pixel);
         let entries = history.entries.iter().map(|entry| Entry {
             name: entry.name.clone(),
             reason: words.message(&entry.reason()),
             role: entry.role(),
-            details: entry.details(scene).iter().map(|line| words.message(line)).collect(),
+            details: entry
+                .details(scene)
+                .iter()
+                .chain(&light(entry))
+                .map(|line| words.message(line))
+                .collect(),
             fragment: entry.is_fragment(),
             of: entry.clone(),
         });

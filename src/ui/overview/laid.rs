@@ -3,7 +3,7 @@
 use super::Overview;
 use rasterscope_core::{
     explain::Mark,
-    pipeline::{Layer, Outputs, Overlay, PixelCounts, Skips},
+    pipeline::{Layer, Outputs, Overlay, Pipeline, PixelCounts, Skips},
     scene::Scene,
 };
 use rasterscope_figure::{overlay, theme::ThemeName};
@@ -101,7 +101,7 @@ impl Overview {
 
     /// Lays an overlay on the image of a scene.
     pub(crate) fn lay(&mut self, scene: &Scene, overlay: Overlay) {
-        let Some(outputs) = self.pipeline.as_ref().map(|pipeline| pipeline.outputs()) else { return };
+        let Some(outputs) = self.pipeline.as_ref().map(Pipeline::outputs) else { return };
         let laid = Laid::new(overlay, scene, outputs, self.before());
         self.take_laid(overlay, laid);
     }

@@ -209,7 +209,7 @@ impl Overview {
         }
         let outputs = self.pipeline.as_ref()?.outputs();
         let history = self.history.get((self.rev, pixel), |_| {
-            Rc::new(History::new(&pixel_history(scene, outputs, pixel), scene, words))
+            Rc::new(History::new(&pixel_history(scene, outputs, pixel), scene, outputs, words))
         });
         Some(Rc::clone(history))
     }

@@ -4,9 +4,9 @@ use crate::{
     document::{Scenery, ViewState},
     face::Face,
     theme::Text,
-    widgets::{down, text_in, wear},
+    widgets::{down, wear},
 };
-use egui::{Align2, ComboBox, Rect, Role as Part, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
+use egui::{ComboBox, Rect, Role as Part, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
 use rasterscope_core::{
     message::{Message, Value},
     pipeline::Overlay,
@@ -32,19 +32,27 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, rect: Rect, scene: &Scene, view
             view.scenery = scenery;
         }
     }
-    let name = SCENERIES.iter().find(|(_, scenery)| *scenery == view.scenery).map_or("", |(name, _)| *name);
-    let name = face.say(name);
-    let galley = ui.painter().layout_no_wrap(name, face.look.font(Text::Strong), face.look.text);
-    let at = pos2(rect.left() + 14.0, rect.center().y - galley.size().y / 2.0);
-    let end = at.x + galley.size().x;
-    ui.painter().galley(at, galley, face.look.text);
     if image {
         overlay(ui, face, &mut x, rect, view);
+    }
+    // The pressed button says as much as the heading, which needs not be there if there is no room.
+    let name = SCENERIES.iter().find(|(_, scenery)| *scenery == view.scenery).map_or("", |(name, _)| *name);
+    let galley = ui.painter().layout_no_wrap(face.say(name), face.look.font(Text::Strong), face.look.text);
+    let at = pos2(rect.left() + 14.0, rect.center().y - galley.size().y / 2.0);
+    let end = at.x + galley.size().x;
+    if end > x {
+        return;
+    }
+    ui.painter().galley(at, galley, face.look.text);
+    if image {
         let [width, height] = scene.size;
-        let size =
-            face.words.message(&Message::new("ui-image-size").with("width", width).with("height", height));
-        let room = Rect::from_min_max(pos2(end + 10.0, rect.top()), pos2(x, rect.bottom()));
-        text_in(ui.painter(), room, Align2::LEFT_CENTER, &size, face.look.font(Text::Body), face.look.dim);
+        let size = Message::new("ui-image-size").with("width", width).with("height", height);
+        let (font, color) = (face.look.font(Text::Body), face.look.dim);
+        let galley = ui.painter().layout_no_wrap(face.words.message(&size), font, color);
+        let at = pos2(end + 10.0, rect.center().y - galley.size().y / 2.0);
+        if at.x + galley.size().x <= x {
+            ui.painter().galley(at, galley, color);
+        }
     }
 }
 
@@ -78,8 +86,11 @@ fn overlay(ui: &mut Ui, face: &Face<'_>, x: &mut f32, rect: Rect, view: &mut Vie
     });
     let galley = ui.painter().layout_no_wrap(label, font, face.look.dim);
     let start = pos2(*x - galley.size().x, rect.center().y - galley.size().y / 2.0);
-    *x = start.x - 10.0;
-    ui.painter().galley(start, galley, face.look.dim);
+    // The tooltip says it, too.
+    if start.x >= rect.left() + 14.0 {
+        *x = start.x - 10.0;
+        ui.painter().galley(start, galley, face.look.dim);
+    }
 }
 
 /// A button that stays pressed, to the left of `x`; moves `x` to its left.

@@ -24,9 +24,9 @@ impl Explain for Snapshot {
 
     const LISTING: &'static [&'static str] = &[
         "for each triangle T",
-        "  for each row of its pixels in the scissor rectangle",
-        "    for each pixel: new ← code of T's depth there, with its bias",
-        "      if T's alpha fails there: discard (early z: asked only if new passes)",
+        "  for each row in its scissor",
+        "    for each pixel: new ← T's code",
+        "      if T's alpha fails: discard",
         "      if new passes against stored: stored ← new, colour ← T",
         "      else: keep what is there",
     ];

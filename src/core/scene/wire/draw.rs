@@ -11,6 +11,7 @@ use crate::{
     blend::{AlphaTest, BlendState},
     cull::{CullMode, FrontFace},
     raster::Scissor,
+    shade::Material,
     stencil::StencilState,
 };
 use serde::{Deserialize, Serialize};
@@ -55,6 +56,8 @@ pub(super) struct DrawWire {
     texture: Option<TextureWire>,
     #[serde(skip_serializing_if = "is_default")]
     shade: Shade,
+    #[serde(skip_serializing_if = "is_default")]
+    material: Material,
 }
 
 fn is_default<T: Default + PartialEq>(value: &T) -> bool {
@@ -90,6 +93,7 @@ impl DrawWire {
                 .texture
                 .map(|TextureWire { kind: TextureKind::Checker, squares }| Texture::Checker { squares }),
             shade: self.shade,
+            material: self.material,
         })
     }
 }
@@ -129,6 +133,7 @@ impl From<&Draw> for DrawWire {
                 .texture
                 .map(|Texture::Checker { squares }| TextureWire { kind: TextureKind::Checker, squares }),
             shade: draw.shade,
+            material: draw.material,
             ..wire
         }
     }

@@ -9,6 +9,7 @@ mod compare;
 mod depth;
 mod draw;
 mod lab;
+mod light;
 
 use super::{
     document::{Clear, Scene},
@@ -22,6 +23,7 @@ use crate::{
 use camera::CameraWire;
 use draw::DrawWire;
 use lab::LabWire;
+use light::LightWire;
 use serde::{Deserialize, Serialize};
 
 #[derive(Serialize, Deserialize)]
@@ -49,6 +51,8 @@ pub(super) struct SceneWire {
     samples: u32,
     #[serde(default)]
     y_axis: YAxis,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    lights: Vec<LightWire>,
     draws: Vec<DrawWire>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     lab: Option<LabWire>,
@@ -60,6 +64,8 @@ fn one() -> u32 {
 
 impl SceneWire {
     pub(super) fn into_scene(self) -> Result<Scene, FieldError> {
+        let light =
+            |(i, light): (usize, LightWire)| light.into_light().map_err(|e| e.within(i).within("lights"));
         let draw = |(i, draw): (usize, DrawWire)| draw.into_draw().map_err(|e| e.within(i).within("draws"));
         Ok(Scene {
             name: self.name,
@@ -73,6 +79,7 @@ impl SceneWire {
             fill_rule: self.fill_rule,
             samples: self.samples,
             y_axis: self.y_axis,
+            lights: self.lights.into_iter().enumerate().map(light).collect::<Result<_, _>>()?,
             draws: self.draws.into_iter().enumerate().map(draw).collect::<Result<_, _>>()?,
             lab: self.lab.map(LabWire::into_lab).transpose().map_err(|e| e.within("lab"))?,
         })
@@ -94,6 +101,7 @@ impl From<&Scene> for SceneWire {
             fill_rule: scene.fill_rule,
             samples: scene.samples,
             y_axis: scene.y_axis,
+            lights: scene.lights.iter().map(LightWire::from).collect(),
             draws: scene.draws.iter().map(DrawWire::from).collect(),
             lab: scene.lab.as_ref().map(LabWire::from),
         }

@@ -23,9 +23,9 @@ impl Explain for Snapshot {
     const LISTING: &'static [&'static str] = &[
         "for each draw D",
         "  if D is an outline: enlarge it",
-        "  for each row of its pixels in the scissor rectangle",
+        "  for each row in its scissor",
         "    for each pixel: s ← stored value",
-        "      if D's alpha fails there: discard (early: asked only if all passes)",
+        "      if D's alpha fails: discard",
         "      if not (ref & mask) compare (s & mask): s ← failOp(s)",
         "      else if D's depth fails: s ← depthFailOp(s)",
         "      else: s ← passOp(s), colour ← D",

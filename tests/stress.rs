@@ -10,6 +10,7 @@ use rasterscope_core::{
     stress::{
         Family,
         dial::{DRIVEN, MOST, Operation},
+        judge::Verdict,
         shrink::{complexity, numbers, shrink},
         trial::{self, CASES, Event, Snapshot, Subject},
     },
@@ -46,15 +47,14 @@ fn covered(case: &LabInput, algorithm: Algorithm) -> Vec<Span> {
 }
 
 #[test]
-fn every_family_breaks_binary32_somewhere_and_exact_nowhere() {
-    let mut broken: Vec<Family> = Vec::new();
+fn every_family_breaks_binary32_at_the_end_of_the_dial_and_exact_nowhere() {
+    let mut driven: Vec<Family> = Vec::new();
     for subject in all([5, MOST].into_iter()) {
+        let mut broken = 0;
         for index in 0..CASES {
             let case = subject.case(index);
-            assert_eq!(subject.verdict(&case, Arithmetic::Exact), Default::default());
-            if subject.verdict(&case, Arithmetic::F32).breaks() {
-                broken.push(subject.family);
-            }
+            assert_eq!(subject.verdict(&case, Arithmetic::Exact), Verdict::default());
+            broken += usize::from(subject.verdict(&case, Arithmetic::F32).breaks());
             if let Some(LabInput::FillTriangle(_)) = otherwise(&case) {
                 let [a, b] = [Algorithm::Scanline, Algorithm::Aabb].map(|each| covered(&case, each));
                 assert_eq!(a, b, "{subject:?} case {index}");
@@ -66,9 +66,12 @@ fn every_family_breaks_binary32_somewhere_and_exact_nowhere() {
                 assert_eq!(visible(&case), visible(&other), "{subject:?} case {index}");
             }
         }
+        driven.push(subject.family);
+        let (operation, family) = (subject.operation, subject.family);
+        assert!(subject.dial < MOST || broken > 0, "{operation:?} {family:?} breaks nothing");
     }
     for family in DRIVEN {
-        assert!(broken.contains(&family), "{family:?} breaks nothing");
+        assert!(driven.contains(&family), "no operation has {family:?}");
     }
 }
 
@@ -85,7 +88,8 @@ fn the_dial_goes_from_mild_to_extreme() {
         totals.sum::<usize>()
     };
     let (mild, extreme) = (broken(0), broken(MOST));
-    assert!(20 * mild < extreme, "{mild} at the start, {extreme} at the end");
+    let all = CASES * all([0].into_iter()).count();
+    assert!(mild == 0 && 2 * extreme > all, "{mild} at the start, {extreme} of {all} at the end");
 }
 
 #[test]
@@ -146,8 +150,8 @@ fn keeps_the_laws() {
     for (operation, family, dial) in [
         (Operation::Coverage, Family::Beside, MOST),
         (Operation::LineClipping, Family::Huge, 0),
-        (Operation::PolygonClipping, Family::Huge, 9),
-        (Operation::TriangleClipping, Family::NearWZero, 9),
+        (Operation::PolygonClipping, Family::Beside, MOST),
+        (Operation::TriangleClipping, Family::NearlyParallel, MOST),
         (Operation::Attributes, Family::Sliver, 9),
         (Operation::Depth, Family::Long, 2),
     ] {
@@ -169,7 +173,7 @@ fn keeps_the_laws() {
 fn logs_are_those_of_the_golden_files() {
     for (name, operation, family, dial) in [
         ("beside", Operation::Coverage, Family::Beside, MOST),
-        ("huge", Operation::LineClipping, Family::Huge, 6),
+        ("huge", Operation::LineClipping, Family::Huge, 3),
     ] {
         let subject = Subject { shrink: true, ..subject(operation, family, dial) };
         let mut events: Vec<Event> = Vec::new();

@@ -893,25 +893,26 @@ preset-samples-on-an-edge-name = Samples on an edge
 preset-samples-on-an-edge = The left edge passes exactly through samples: the tie rule decides for samples as it does for centres.
 
 preset-stress-nearly-parallel-name = Nearly parallel lines
-preset-stress-nearly-parallel = Lines along a border, but for a few units of the last place. Where they cross it, binary32 subtracts nearly equal numbers: the cut lands far away, or a line is lost.
+preset-stress-nearly-parallel = Lines nearly along a border that pass a corner of the window by less than binary32 can tell. Rounding decides whether they are drawn, and half of the cases come out wrong.
 
 preset-stress-beside-name = One step beside a centre
-preset-stress-beside = Vertices on pixel centres, or one step of binary32 beside them. The tie rule decides most pixels, and rounding may not: binary32 gets some wrong, exact none.
+preset-stress-beside = Vertices on pixel centres, or one step of binary32 beside them. The tie rule decides there, and rounding breaks ties: binary32 gets pixels wrong, binary64 and exact none.
 
 preset-stress-huge-name = Huge triangles
-preset-stress-huge = Two vertices lie so far away that the image is a point to them. Products of such numbers keep no digit of a pixel.
+preset-stress-huge = Two vertices lie so far away that the image is a point to them. No product of such numbers keeps a digit of a pixel. Turn the dial on, and binary64 breaks as well.
 
 preset-stress-denormal-name = Below the smallest normal number
-preset-stress-denormal = Window and line are so small that their numbers have few bits left, and products of two are zero.
+preset-stress-denormal = A side misses the centres of a diagonal by a number below the smallest normal one. Beside a coordinate of 10 no sum keeps such a number, so only exact signs see which side they lie on.
 
 preset-stress-sliver-name = A sliver, made small
 preset-stress-sliver = The triangle has nearly no area, and dividing by it multiplies every rounding. The first case that breaks is made small, number by number.
 
 preset-stress-near-w-zero-name = w near 0
-preset-stress-near-w-zero = A vertex lies next to the plane of the eye: its w is nearly 0, and 1/w drowns what the other vertices say.
+preset-stress-near-w-zero = One vertex lies just before the eye and one just behind it. What they say of 1/w nearly cancels, and what is left is rounding.
 
-preset-stress-long-name = Sums over many columns
-preset-stress-long = The plane equation adds one slope a pixel. After a row of hundreds of pixels, the roundings of all additions have added up.
+preset-stress-long-name = Sums along a row
+preset-stress-long = The plane equation adds one slope a pixel. The depth falls to nearly nothing along the row, but the roundings of the large sums stay: the curve shows how they grow.
+
 preset-light-highlight-name = In the highlight
 preset-light-highlight = The mirrored light goes nearly to the eye, so the specular term is nearly all of ks. Drag E, and it falls quickly.
 

@@ -36,25 +36,51 @@ stress-marker-failing = breaks
 stress-marker-sound = sound
 stress-marker-simplest = small
 
-stress-totals = Where each arithmetic breaks
+stress-case-table = This case
+stress-parts = What is not exact
+stress-totals = All cases so far
+stress-numbers = Numbers of this case
+stress-there = drawn
+stress-missing = not drawn
+row-stress-answer = answer
+row-stress-corner = corner
 column-stress-broken = cases
-column-stress-wrong = wrong parts
-column-stress-worst = worst, ULP
-stress-numbers = The case in hand
+column-stress-wrong = parts
+column-stress-ulps = ULP
+column-stress-bits = bits right
+column-stress-here = here
 column-stress-before = before
 column-stress-now = now
 
-stress-opening = { $cases } cases to { $operation }, { $family }, dial { $dial }: each arithmetic is held against the exact one.
-stress-case = Case { $number }, { $family }: what it takes to { $operation }.
-stress-exact = Exactly, the answer has { $parts } { $parts ->
+stress-key-extra = drawn wrongly
+stress-key-lost = lost
+stress-key-far = far off
+stress-key-off = where it lands
+stress-key-close = a little off
+stress-key-exact = exactly
+
+stress-opening = { $cases } cases to { $operation }, { $family }, dial { $dial }. Each arithmetic is held against the exact one.
+stress-case = Case { $number }: { $operation }, { $family }.
+stress-exact = The exact answer has { $parts } { $parts ->
     [one] part
    *[other] parts
 }.
-stress-agrees = { $arithmetic } decides the same; its worst number is { $ulps } ULP off.
-stress-breaks = { $arithmetic } breaks: { $wrong } { $wrong ->
+stress-same = { $arithmetic } answers the same.
+stress-close = { $arithmetic } decides the same. Its worst number is { $ulps } ULP off.
+stress-far = { $arithmetic } breaks: its worst number is { $ulps } ULP off, { $bits } of 24 bits are right.
+stress-otherwise = { $arithmetic } breaks: it decides { $wrong } { $wrong ->
+    [one] part
+   *[other] parts
+} otherwise.
+stress-otherwise-and-off = { $arithmetic } breaks: it decides { $wrong } { $wrong ->
+    [one] part
+   *[other] parts
+} otherwise, and its worst number is { $ulps } ULP off.
+stress-holds = Case { $number }: { $arithmetic } holds. Its worst number is { $ulps } ULP off.
+stress-breaks = Case { $number }: { $arithmetic } breaks. { $wrong } { $wrong ->
     [one] part is
    *[other] parts are
-} decided otherwise, and the worst number is { $ulps } ULP off.
+} decided otherwise, { $bits } of 24 bits of the worst number are right.
 stress-failing = Case { $number } is the first in which { $arithmetic } breaks.
 stress-no-case = No case breaks { $arithmetic } at this dial.
 stress-simpler = { $name } may be { $to }: { $arithmetic } breaks all the same.

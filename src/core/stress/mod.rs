@@ -5,6 +5,7 @@
 
 pub mod clip_triangles;
 pub mod dial;
+pub mod judge;
 pub mod points;
 pub mod polygons;
 mod random;

@@ -69,7 +69,7 @@ fn leaves(value: &Value, name: String, out: &mut Vec<(String, f32)>) {
 }
 
 /// The same case with one number replaced, counted as [`numbers`] does; `None` if there is no such number, or
-/// if it makes no case.
+/// if it makes no case, or a window without area.
 pub fn with_number(input: &LabInput, index: usize, number: f32) -> Option<LabInput> {
     let mut value = serde_json::to_value(input).ok()?;
     let mut left = index;
@@ -79,7 +79,12 @@ pub fn with_number(input: &LabInput, index: usize, number: f32) -> Option<LabInp
         Some(format!("/{field}{path}"))
     })?;
     *value.pointer_mut(&leaf)? = Value::from(f64::from(number));
-    labs::find(input.name())?.read(&value).ok()
+    // What is cut to nothing shows nothing: a window stays one.
+    let input = labs::find(input.name())?.read(&value).ok()?;
+    let window =
+        value.get("window").and_then(|window| serde_json::from_value::<[f32; 4]>(window.clone()).ok());
+    let shut = window.is_some_and(|[xmin, ymin, xmax, ymax]| xmin >= xmax || ymin >= ymax);
+    (!shut).then_some(input)
 }
 
 /// The JSON pointer of the number that is `left` numbers on.
@@ -161,6 +166,7 @@ mod tests {
         let replaced = with_number(&line, 4, 0.25).expect("it is a line");
         assert_eq!(numbers(&replaced)[4].1, 0.25);
         assert_eq!(with_number(&line, 8, 0.0), None);
+        assert_eq!(with_number(&line, 0, 1e9), None, "the window would be shut");
         let triangle = labs::default_input("area-ratios").expect("a lab");
         assert_eq!(numbers(&triangle).len(), 9 + 3 + 2);
     }

@@ -1,20 +1,23 @@
 //! Cases under stress: each in every arithmetic against the exact answer, and the first that breaks made small.
 //!
 //! An answer is what the lab of the operation answers, as facts, so that nothing is computed here in another way
-//! than where it is taught. *Source:* of the judgement, Direct3D 11.3 functional specification, section 3.1, on what
-//! an implementation may differ in; of making small, [`shrink`](super::shrink).
+//! than where it is taught. *Source:* of the cases, Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast
+//! Robust Geometric Predicates, 1997, section 4.4; of the judgement, [`judge`](super::judge); of making small,
+//! [`shrink`](super::shrink).
 
 mod explain;
+mod picture;
 
 pub use explain::Snapshot;
 
 use super::{
     Family,
     dial::{self, Operation},
+    judge::{Deviation, Verdict, deviations},
     shrink::shrink,
 };
 use crate::{
-    compare::{Difference, Fact, Setting, difference, sorted},
+    compare::{Fact, Setting, sorted},
     labs::{self, LabInput},
     math::Arithmetic,
     replay::{Budget, Playback, Player},
@@ -26,10 +29,6 @@ use std::sync::Arc;
 
 /// Cases of a run.
 pub const CASES: usize = 24;
-
-/// A number that is farther from the exact one than this has lost ten of its 24 bits: it breaks the case, as a
-/// wrong decision does.
-pub const TOLERATED: u64 = 1 << 10;
 
 /// The arithmetics that round, as far as an operation has them.
 pub const ROUNDED: [Arithmetic; 3] = [Arithmetic::F32, Arithmetic::F64, Arithmetic::Fixed8];
@@ -51,22 +50,6 @@ pub struct Subject {
     pub scene: Scene,
 }
 
-/// How an answer differs from the exact one.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Verdict {
-    /// Parts that are decided otherwise: a pixel, a corner, the answer as a whole.
-    pub wrong: u64,
-    /// How far the worst number is off, in units of the last place of binary32.
-    pub ulps: u64,
-}
-
-impl Verdict {
-    /// Whether the arithmetic breaks there.
-    pub fn breaks(self) -> bool {
-        self.wrong > 0 || self.ulps > TOLERATED
-    }
-}
-
 /// What all cases say about one arithmetic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Total {
@@ -75,12 +58,16 @@ pub struct Total {
     /// Cases that it breaks in.
     pub broken: usize,
     /// Parts that are decided otherwise, in all cases.
-    pub wrong: u64,
-    /// How far the worst number is off.
-    pub worst: u64,
+    pub wrong: u32,
+    /// How far the worst number is off, in units of the last place, at most 2^24.
+    pub worst: u32,
 }
 
 impl Total {
+    fn new(arithmetic: Arithmetic) -> Self {
+        Self { arithmetic, broken: 0, wrong: 0, worst: 0 }
+    }
+
     fn add(&mut self, verdict: Verdict) {
         self.broken += usize::from(verdict.breaks());
         self.wrong += verdict.wrong;
@@ -110,21 +97,19 @@ pub enum Event {
         /// How many parts it has.
         parts: u32,
     },
-    /// An arithmetic decides everything as the exact one does.
-    Agrees {
+    /// What came of an arithmetic.
+    Judged {
         /// Which.
         arithmetic: Arithmetic,
-        /// How far its worst number is off; at most 2^32 - 1.
-        ulps: u32,
+        /// How its answer differs.
+        verdict: Verdict,
     },
-    /// An arithmetic breaks.
-    Breaks {
-        /// Which.
-        arithmetic: Arithmetic,
-        /// Parts decided otherwise.
-        wrong: u32,
-        /// How far its worst number is off; at most 2^32 - 1.
-        ulps: u32,
+    /// All arithmetics are judged.
+    Done {
+        /// The case, from 0.
+        index: u32,
+        /// Whether the arithmetic that is drawn breaks.
+        broken: bool,
     },
     /// The first case that breaks the arithmetic that is drawn.
     Failing {
@@ -178,9 +163,14 @@ impl Subject {
         sorted(self.played(case, arithmetic).map(|run| run.facts()).unwrap_or_default())
     }
 
-    /// How an arithmetic differs from the exact answer.
+    /// Every part in which an arithmetic differs from the exact answer, the worst first.
+    pub fn deviations(&self, case: &LabInput, arithmetic: Arithmetic) -> Vec<Deviation> {
+        deviations(&self.answer(case, arithmetic), &self.answer(case, Arithmetic::Exact))
+    }
+
+    /// How an arithmetic differs from the exact answer, in two numbers.
     pub fn verdict(&self, case: &LabInput, arithmetic: Arithmetic) -> Verdict {
-        verdict(&difference(&self.answer(case, arithmetic), &self.answer(case, Arithmetic::Exact)))
+        Verdict::of(&self.deviations(case, arithmetic))
     }
 
     /// Whether a case can be run at all and breaks the arithmetic that is drawn.
@@ -193,11 +183,6 @@ impl Subject {
         let first = (0..CASES).map(|index| self.case(index)).find(|case| self.fails(case))?;
         Some(shrink(&first, &mut |case| self.fails(case), &mut |_| {}))
     }
-}
-
-fn verdict(difference: &Difference) -> Verdict {
-    let wrong = difference.count() - difference.in_numbers_only();
-    Verdict { wrong: wrong as u64, ulps: difference.ulps().unwrap_or(0) }
 }
 
 /// Judges all cases, and makes one small if that is asked for.
@@ -215,26 +200,24 @@ pub fn play(subject: Subject, budget: Budget) -> Player<Snapshot> {
 
 /// The algorithm: [`run`] and [`play`] are this with two tracers.
 pub fn run_traced<T: Tracer<Event>>(subject: &Subject, t: &mut T) -> Outcome {
-    let total = |arithmetic| Total { arithmetic, broken: 0, wrong: 0, worst: 0 };
-    let mut totals: Vec<Total> = subject.rounded().map(total).collect();
+    let mut totals: Vec<Total> = subject.rounded().map(Total::new).collect();
     let mut failing = None;
     for index in 0..CASES {
         let case = subject.case(index);
         t.emit(|| Event::Case { index: index as u32 });
         let exact = subject.answer(&case, Arithmetic::Exact);
         t.emit(|| Event::Exact { parts: exact.len() as u32 });
+        let mut broken = false;
         for total in &mut totals {
             let arithmetic = total.arithmetic;
-            let verdict = verdict(&difference(&subject.answer(&case, arithmetic), &exact));
+            let verdict = Verdict::of(&deviations(&subject.answer(&case, arithmetic), &exact));
             total.add(verdict);
-            let [wrong, ulps] = [verdict.wrong, verdict.ulps].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
-            t.emit(|| match verdict.breaks() {
-                true => Event::Breaks { arithmetic, wrong, ulps },
-                false => Event::Agrees { arithmetic, ulps },
-            });
-            if verdict.breaks() && arithmetic == subject.arithmetic && failing.is_none() {
-                failing = Some((index, case.clone()));
-            }
+            t.emit(|| Event::Judged { arithmetic, verdict });
+            broken |= arithmetic == subject.arithmetic && verdict.breaks();
+        }
+        t.emit(|| Event::Done { index: index as u32, broken });
+        if broken && failing.is_none() {
+            failing = Some((index, case));
         }
     }
     let Some((index, case)) = failing else {

@@ -8,7 +8,7 @@ use crate::{
     theme::Text,
     widgets::heading,
 };
-use egui::{DragValue, Ui, vec2};
+use egui::{Slider, Ui};
 use rasterscope_core::{
     explain::{Marker, Role},
     labs::LabInput,
@@ -42,8 +42,10 @@ impl Lab for Stress {
         choices::choose(ui, face, "stress-family", &mut input.family, &all);
         let name = face.say("stress-dial");
         choices::labelled(ui, face, &name, |ui, width| {
-            let drag = DragValue::new(&mut input.dial).speed(0.05).range(0..=MOST);
-            ui.add_sized(vec2(width, face.look.button_height()), drag).accessible_name(&name);
+            let spacing = ui.spacing_mut();
+            // The number stands beside the rail.
+            spacing.slider_width = width - spacing.interact_size.x - spacing.item_spacing.x;
+            ui.add(Slider::new(&mut input.dial, 0..=MOST)).accessible_name(&name);
         });
         ui.label(face.dim(face.say("stress-dial-about"), Text::Label));
         let known: Vec<Arithmetic> = input.subject(&document.scene).rounded().collect();

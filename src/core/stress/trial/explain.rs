@@ -1,32 +1,38 @@
-//! What the lab shows of cases under stress.
+//! What the lab says of cases under stress: sentences, tables, the timeline.
 
 use std::sync::Arc;
 
-use super::{CASES, Event, Outcome, Subject, Total, Verdict};
+use super::{CASES, Event, Outcome, Subject, Total};
 use crate::{
-    compare::{Fact, Subject as Part, difference},
+    compare::{Fact, Subject as Part},
     explain::{Explain, Formula, Level, Mark, Marker, Operations, Role, Row, Table, Vantage, View},
     labs::LabInput,
     math::Arithmetic,
     message::{Message, Value},
-    replay::{Playback, State},
+    replay::State,
     stress::{
         dial,
+        judge::{Deviation, TOLERATED, Verdict, right_bits},
         shrink::{numbers, with_number},
     },
 };
 
+/// Most parts of a case that are listed.
+const MOST_ROWS: usize = 8;
+
 /// What the user sees between two events: the fold of the events so far.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
-    subject: Arc<Subject>,
+    pub(super) subject: Arc<Subject>,
     /// The case in hand, from 0, and as it is now.
     index: usize,
-    case: LabInput,
+    pub(super) case: LabInput,
     /// The same before any number was made simpler.
-    before: Option<LabInput>,
-    /// The arithmetic that was judged last.
-    judged: Option<Arithmetic>,
+    pub(super) before: Option<LabInput>,
+    /// What is drawn.
+    pub(super) drawn: Arithmetic,
+    /// What came of each arithmetic in the case in hand, as far as it is judged.
+    verdicts: Vec<(Arithmetic, Verdict)>,
     totals: Vec<Total>,
     shrunk: bool,
 }
@@ -34,10 +40,9 @@ pub struct Snapshot {
 impl Snapshot {
     /// Before the first event.
     pub fn new(subject: Arc<Subject>) -> Self {
-        let total = |arithmetic| Total { arithmetic, broken: 0, wrong: 0, worst: 0 };
-        let totals = subject.rounded().map(total).collect();
-        let case = subject.case(0);
-        Self { subject, index: 0, case, before: None, judged: None, totals, shrunk: false }
+        let totals = subject.rounded().map(Total::new).collect();
+        let (case, drawn) = (subject.case(0), Arithmetic::Exact);
+        Self { subject, index: 0, case, before: None, drawn, verdicts: Vec::new(), totals, shrunk: false }
     }
 
     /// The result that the events so far amount to.
@@ -45,25 +50,25 @@ impl Snapshot {
         Outcome { totals: self.totals.clone(), shrunk: self.shrunk.then(|| self.case.clone()) }
     }
 
-    fn judge(&mut self, arithmetic: Arithmetic, verdict: Verdict) {
-        self.judged = Some(arithmetic);
-        if let Some(total) = self.totals.iter_mut().find(|total| total.arithmetic == arithmetic) {
-            total.add(verdict);
+    /// Every part of the case in which the arithmetic that is drawn differs from the exact one.
+    pub(super) fn deviations(&self) -> Vec<Deviation> {
+        if self.drawn == Arithmetic::Exact {
+            return Vec::new();
         }
+        self.subject.deviations(&self.case, self.drawn)
     }
 
-    /// The run of the case in hand that is drawn: of the arithmetic in hand, else of the one that is chosen.
-    fn drawn(&self, event: Option<&Event>) -> Option<Box<dyn Playback>> {
-        let arithmetic = match event {
-            Some(Event::Exact { .. }) => Arithmetic::Exact,
-            Some(Event::Agrees { arithmetic, .. } | Event::Breaks { arithmetic, .. }) => *arithmetic,
-            _ => self.subject.arithmetic,
-        };
-        self.subject.played(&self.case, arithmetic)
+    /// What came of each arithmetic in the case in hand; one that is made small is judged anew.
+    fn verdicts(&self) -> Vec<(Arithmetic, Verdict)> {
+        if self.before.is_none() {
+            return self.verdicts.clone();
+        }
+        let anew = |arithmetic| (arithmetic, self.subject.verdict(&self.case, arithmetic));
+        self.subject.rounded().map(anew).collect()
     }
 
-    fn named(&self, message: Message) -> Message {
-        message
+    fn named(&self, id: &'static str) -> Message {
+        Message::new(id)
             .with("operation", Value::Word(self.subject.operation.word()))
             .with("family", Value::Word(dial::word(self.subject.family)))
             .with("arithmetic", Value::text(self.subject.arithmetic.name()))
@@ -76,6 +81,82 @@ impl Snapshot {
         let pairs = numbers(before).into_iter().zip(numbers(&self.case));
         pairs.filter(|((_, old), (_, new))| old.to_bits() != new.to_bits()).count()
     }
+
+    /// Each arithmetic in the case in hand, and each part that the one that is drawn gets wrong.
+    fn tables_of_case(&self, out: &mut Vec<Table>) {
+        let rows = self.verdicts().into_iter().map(|(arithmetic, verdict)| {
+            Row::new(arithmetic.name(), errors(verdict.wrong, verdict.ulps).to_vec())
+                .role(if verdict.breaks() { Role::Rejected } else { Role::Accepted })
+                .active(self.drawn == arithmetic)
+        });
+        out.push(Table {
+            title: "stress-case-table",
+            columns: vec!["column-stress-wrong", "column-stress-ulps", "column-stress-bits"],
+            rows: rows.collect(),
+        });
+        let deviations = self.deviations();
+        if deviations.is_empty() {
+            return;
+        }
+        let rows = deviations.iter().take(MOST_ROWS).flat_map(rows_of);
+        out.push(Table {
+            title: "stress-parts",
+            columns: vec!["column-stress-here", "column-exact", "ULP"],
+            rows: rows.collect(),
+        });
+    }
+
+    /// What the numbers of the case are, and what they were.
+    fn table_of_numbers(&self) -> Table {
+        let before = self.before.as_ref().map(numbers).unwrap_or_default();
+        let rows = numbers(&self.case).into_iter().enumerate().map(|(i, (name, now))| {
+            let old = before.get(i).map(|(_, old)| *old);
+            let simpler = old.is_some_and(|old| old.to_bits() != now.to_bits());
+            let cells = vec![old.map_or(Value::BLANK, Value::F32), Value::F32(now)];
+            Row::new(name, cells).role(simpler.then_some(Role::Changed))
+        });
+        Table {
+            title: "stress-numbers",
+            columns: vec!["column-stress-before", "column-stress-now"],
+            rows: rows.collect(),
+        }
+    }
+}
+
+/// How much is wrong, how far the worst number is off, and how many of its bits are right.
+fn errors(wrong: u32, ulps: u32) -> [Value; 3] {
+    [wrong.into(), ulps.into(), right_bits(ulps).into()]
+}
+
+/// A part on both sides: each number that differs, or that only one side has it.
+fn rows_of(deviation: &Deviation) -> Vec<Row> {
+    let Some(fact) = deviation.either() else { return Vec::new() };
+    let name = match &fact.subject {
+        Part::Answer => "row-stress-answer".to_owned(),
+        Part::Named(name) => name.clone().into_owned(),
+        Part::Corner => "row-stress-corner".to_owned(),
+        Part::Pixel([x, y]) => format!("({x}, {y})"),
+    };
+    let role = if deviation.breaks() { Role::Rejected } else { Role::Changed };
+    let sides = [&deviation.rounded, &deviation.exact];
+    let row = |cells: Vec<Value>, name: String| Row::new(name, cells).role(role);
+    let (Some(rounded), Some(exact)) = (&deviation.rounded, &deviation.exact) else {
+        let there = sides.map(|side| match side {
+            Some(Fact { at: Some(at), .. }) => (*at).into(),
+            Some(_) => Value::Word("stress-there"),
+            None => Value::Word("stress-missing"),
+        });
+        let [here, exact] = there;
+        return vec![row(vec![here, exact, Value::BLANK], name)];
+    };
+    let pairs =
+        rounded.values.iter().zip(&exact.values).filter(|((_, a), (_, b))| !crate::compare::equal(a, b));
+    let ulps = deviation.ulps.map_or(Value::BLANK, Value::from);
+    let rows = pairs.map(|((value, a), (_, b))| {
+        let name = if exact.values.len() == 1 { name.clone() } else { format!("{name} {value}") };
+        row(vec![a.clone(), b.clone(), ulps.clone()], name)
+    });
+    rows.collect()
 }
 
 impl State for Snapshot {
@@ -83,18 +164,26 @@ impl State for Snapshot {
 
     fn apply(&mut self, event: &Event) {
         match *event {
-            Event::Case { index } | Event::Failing { index } => {
+            Event::Case { index } => {
                 self.index = index as usize;
                 self.case = self.subject.case(self.index);
-                self.before = matches!(event, Event::Failing { .. }).then(|| self.case.clone());
-                self.judged = None;
+                self.verdicts.clear();
+                self.drawn = Arithmetic::Exact;
             }
             Event::Exact { .. } | Event::Sound => {}
-            Event::Agrees { arithmetic, ulps } => {
-                self.judge(arithmetic, Verdict { wrong: 0, ulps: ulps.into() });
+            Event::Judged { arithmetic, verdict } => {
+                self.drawn = arithmetic;
+                self.verdicts.push((arithmetic, verdict));
+                if let Some(total) = self.totals.iter_mut().find(|total| total.arithmetic == arithmetic) {
+                    total.add(verdict);
+                }
             }
-            Event::Breaks { arithmetic, wrong, ulps } => {
-                self.judge(arithmetic, Verdict { wrong: wrong.into(), ulps: ulps.into() });
+            Event::Done { .. } => self.drawn = self.subject.arithmetic,
+            Event::Failing { index } => {
+                self.index = index as usize;
+                self.case = self.subject.case(self.index);
+                self.before = Some(self.case.clone());
+                self.drawn = self.subject.arithmetic;
             }
             Event::Simpler { number, to } => {
                 if let Some(case) = with_number(&self.case, number.into(), to) {
@@ -111,12 +200,13 @@ impl Explain for Snapshot {
 
     const LISTING: &'static [&'static str] = &[
         "for each case of the family",
-        "  exact ← what the operation answers exactly",
-        "  for each rounded arithmetic: decides alike?",
-        "  else: count it, keep the worst error",
-        "take the first case that breaks",
-        "for each of its numbers, again and again:",
-        "  a simpler one that breaks as well",
+        "  exact ← the operation, exactly",
+        "  each rounded arithmetic: what differs?",
+        "  a part decided otherwise, or a number far off:",
+        "    the arithmetic breaks",
+        "take the first case that breaks the one drawn",
+        "for each of its numbers, again and again",
+        "  a simpler one, if the case still breaks",
         "until no number can be simpler",
     ];
 
@@ -124,20 +214,24 @@ impl Explain for Snapshot {
         match event {
             Event::Case { .. } => 0,
             Event::Exact { .. } => 1,
-            Event::Agrees { .. } => 2,
-            Event::Breaks { .. } => 3,
-            Event::Failing { .. } | Event::Sound => 4,
-            Event::Simpler { number: 0, .. } => 5,
-            Event::Simpler { .. } => 6,
-            Event::Simplest => 7,
+            Event::Judged { .. } => 2,
+            Event::Done { broken: false, .. } => 3,
+            Event::Done { broken: true, .. } => 4,
+            Event::Failing { .. } | Event::Sound => 5,
+            Event::Simpler { number: 0, .. } => 6,
+            Event::Simpler { .. } => 7,
+            Event::Simplest => 8,
         }
     }
 
+    /// A row is a case, a primitive one that breaks.
     fn level(event: &Event) -> Level {
         match event {
-            Event::Exact { .. } | Event::Agrees { .. } | Event::Breaks { .. } => Level::Detail,
-            Event::Case { .. } | Event::Simpler { .. } => Level::Row,
-            Event::Failing { .. } | Event::Sound | Event::Simplest => Level::Primitive,
+            Event::Case { .. } | Event::Exact { .. } | Event::Judged { .. } => Level::Detail,
+            Event::Done { broken: false, .. } | Event::Simpler { .. } => Level::Row,
+            Event::Done { broken: true, .. } | Event::Failing { .. } | Event::Sound | Event::Simplest => {
+                Level::Primitive
+            }
         }
     }
 
@@ -148,8 +242,8 @@ impl Explain for Snapshot {
 
     fn marker(event: &Event) -> Option<Marker> {
         let (role, label) = match event {
-            Event::Case { .. } => (Role::Neutral, None),
-            Event::Breaks { .. } => (Role::Rejected, None),
+            Event::Done { broken: false, .. } => (Role::Neutral, None),
+            Event::Done { broken: true, .. } => (Role::Rejected, None),
             Event::Failing { .. } => (Role::Changed, Some("stress-marker-failing")),
             Event::Sound => (Role::Accepted, Some("stress-marker-sound")),
             Event::Simplest => (Role::Accepted, Some("stress-marker-simplest")),
@@ -159,32 +253,38 @@ impl Explain for Snapshot {
     }
 
     fn opening(&self) -> Message {
-        self.named(Message::new("stress-opening"))
-            .with("cases", CASES)
-            .with("dial", u32::from(self.subject.dial))
+        self.named("stress-opening").with("cases", CASES).with("dial", u32::from(self.subject.dial))
     }
 
     fn sentence(&self, event: &Event) -> Message {
         match *event {
-            Event::Case { .. } => self.named(Message::new("stress-case")),
+            Event::Case { .. } => self.named("stress-case"),
             Event::Exact { parts } => Message::new("stress-exact").with("parts", parts),
-            Event::Agrees { arithmetic, ulps } => Message::new("stress-agrees")
-                .with("arithmetic", Value::text(arithmetic.name()))
-                .with("ulps", ulps),
-            Event::Breaks { arithmetic, wrong, ulps } => Message::new("stress-breaks")
-                .with("arithmetic", Value::text(arithmetic.name()))
-                .with("wrong", wrong)
-                .with("ulps", ulps),
-            Event::Failing { .. } => self.named(Message::new("stress-failing")),
-            Event::Sound => self.named(Message::new("stress-no-case")),
+            Event::Judged { arithmetic, verdict } => {
+                let id = match verdict {
+                    Verdict { wrong: 0, ulps: 0 } => "stress-same",
+                    Verdict { wrong: 0, ulps: ..=TOLERATED } => "stress-close",
+                    Verdict { wrong: 0, .. } => "stress-far",
+                    Verdict { ulps: 0, .. } => "stress-otherwise",
+                    _ => "stress-otherwise-and-off",
+                };
+                counted(Message::new(id).with("arithmetic", Value::text(arithmetic.name())), verdict)
+            }
+            Event::Done { broken, .. } => {
+                let id = if broken { "stress-breaks" } else { "stress-holds" };
+                let drawn = self.verdicts.iter().find(|(each, _)| *each == self.subject.arithmetic);
+                counted(self.named(id), drawn.map_or_else(Verdict::default, |(_, verdict)| *verdict))
+            }
+            Event::Failing { .. } => self.named("stress-failing"),
+            Event::Sound => self.named("stress-no-case"),
             Event::Simpler { number, to } => {
                 let name = numbers(&self.case).into_iter().nth(number.into()).map(|(name, _)| name);
-                self.named(Message::new("stress-simpler"))
+                self.named("stress-simpler")
                     .with("name", Value::Text(name.unwrap_or_default()))
                     .with("to", to)
             }
             Event::Simplest => self
-                .named(Message::new("stress-simplest"))
+                .named("stress-simplest")
                 .with("changed", self.changed())
                 .with("all", numbers(&self.case).len()),
         }
@@ -193,76 +293,51 @@ impl Explain for Snapshot {
     fn formulas(&self, _: &Event, _: &mut Vec<Formula>) {}
 
     fn tables(&self, out: &mut Vec<Table>) {
+        self.tables_of_case(out);
         let rows = self.totals.iter().map(|total| {
-            let cells = vec![
-                Value::count(total.broken),
-                Value::Int(total.wrong as i64),
-                Value::Int(i64::try_from(total.worst).unwrap_or(i64::MAX)),
-            ];
-            let breaks = (total.broken > 0).then_some(Role::Rejected);
-            Row::new(total.arithmetic.name(), cells)
+            let [wrong, worst, bits] = errors(total.wrong, total.worst);
+            let breaks = if total.broken > 0 { Role::Rejected } else { Role::Accepted };
+            Row::new(total.arithmetic.name(), vec![Value::count(total.broken), wrong, worst, bits])
                 .role(breaks)
-                .active(self.judged == Some(total.arithmetic))
         });
         out.push(Table {
             title: "stress-totals",
-            columns: vec!["column-stress-broken", "column-stress-wrong", "column-stress-worst"],
+            columns: vec![
+                "column-stress-broken",
+                "column-stress-wrong",
+                "column-stress-ulps",
+                "column-stress-bits",
+            ],
             rows: rows.collect(),
         });
-        let before = self.before.as_ref().map(numbers).unwrap_or_default();
-        let rows = numbers(&self.case).into_iter().enumerate().map(|(i, (name, now))| {
-            let old = before.get(i).map(|(_, old)| *old);
-            let simpler = old.is_some_and(|old| old.to_bits() != now.to_bits());
-            let cells = vec![old.map_or(Value::None, Value::F32), Value::F32(now)];
-            Row::new(name, cells).role(simpler.then_some(Role::Changed))
-        });
-        out.push(Table {
-            title: "stress-numbers",
-            columns: vec!["column-stress-before", "column-stress-now"],
-            rows: rows.collect(),
-        });
+        out.push(self.table_of_numbers());
     }
 
-    /// What the operation's own lab draws, with what is decided otherwise outlined.
-    fn marks(&self, event: Option<&Event>, out: &mut Vec<Mark>) {
-        let Some(run) = self.drawn(event) else { return };
-        out.extend(run.marks());
-        if matches!(event, Some(Event::Exact { .. })) {
-            return;
-        }
-        let (facts, exact) =
-            (crate::compare::sorted(run.facts()), self.subject.answer(&self.case, Arithmetic::Exact));
-        for part in difference(&facts, &exact).parts() {
-            let Some(fact) = part.either().filter(|_| !part.agrees()) else { continue };
-            match (&fact.subject, fact.at) {
-                (Part::Pixel(at), _) => out.push(Mark::Pixel {
-                    at: at.map(|c| c as i32),
-                    role: Role::Changed,
-                    object: None,
-                    value: Value::None,
-                }),
-                (_, Some(at)) => out.push(Mark::Point { at, role: Role::Changed, label: None }),
-                _ => {}
-            }
-        }
+    fn marks(&self, _: Option<&Event>, out: &mut Vec<Mark>) {
+        self.picture(out);
     }
 
     fn view(&self) -> View {
-        self.drawn(None).map_or(View::SPACE, |run| run.view())
+        self.frame()
     }
 
     fn vantage(&self) -> Option<Vantage> {
-        self.drawn(None)?.vantage()
+        self.subject.played(&self.case, self.drawn)?.vantage()
     }
 
     fn facts(&self, out: &mut Vec<Fact>) {
         out.extend(self.totals.iter().map(|total| {
             let values = vec![
                 ("column-stress-broken", Value::count(total.broken)),
-                ("column-stress-wrong", Value::Int(total.wrong as i64)),
-                ("column-stress-worst", Value::Int(i64::try_from(total.worst).unwrap_or(i64::MAX))),
+                ("column-stress-wrong", total.wrong.into()),
+                ("column-stress-ulps", total.worst.into()),
             ];
             Fact::named(total.arithmetic.name(), values)
         }));
     }
+}
+
+/// A message with the numbers of a verdict.
+fn counted(message: Message, verdict: Verdict) -> Message {
+    message.with("wrong", verdict.wrong).with("ulps", verdict.ulps).with("bits", right_bits(verdict.ulps))
 }

@@ -1,6 +1,9 @@
 //! Stress: every family breaks binary32 somewhere and exact nowhere, and broken cases are made small.
 
-use crate::support::{Coverage, check_golden, check_laws, log_text};
+use crate::{
+    presets,
+    support::{Coverage, check_golden, check_laws, log_text},
+};
 use rasterscope_core::{
     compare::{Setting, difference},
     labs::{LabInput, Stress},
@@ -180,4 +183,37 @@ fn logs_are_those_of_the_golden_files() {
         trial::run_traced(&subject, &mut events);
         check_golden(&format!("stress/{name}"), &log_text(&events));
     }
+}
+
+#[test]
+fn presets_show_what_they_say() {
+    let stress = |name: &str| {
+        let scene = presets::scene(name);
+        match scene.lab.as_ref().map(|lab| lab.input.clone()) {
+            Some(LabInput::Stress(stress)) => (stress, scene),
+            other => panic!("{name}: {other:?}"),
+        }
+    };
+    // Cases that break binary32 and binary64.
+    let broken = |name: &str, dial: Option<u8>| {
+        let (mut stress, scene) = stress(name);
+        stress.dial = dial.unwrap_or(stress.dial);
+        let totals = trial::run(&stress.subject(&scene)).totals;
+        [Arithmetic::F32, Arithmetic::F64]
+            .map(|each| totals.iter().find(|total| total.arithmetic == each).map_or(0, |total| total.broken))
+    };
+    let [f32, f64] = broken("stress-nearly-parallel", None);
+    assert!(f32.abs_diff(CASES / 2) <= 2 && f64 == 0, "half of {CASES}: {f32}, {f64}");
+    for name in ["stress-beside", "stress-huge", "stress-near-w-zero", "stress-long", "stress-frustum-edge"] {
+        let [f32, f64] = broken(name, None);
+        assert!(f32 > 5 && f64 == 0, "{name}: {f32}, {f64}");
+        assert_eq!(broken(name, Some(0)), [0, 0], "{name}");
+    }
+    assert!(broken("stress-huge", Some(MOST))[1] > 5, "binary64 breaks as well");
+    let [f32, f64] = broken("stress-denormal", None);
+    assert!(f32 > 5 && f64 > 5, "{f32}, {f64}");
+    let (sliver, scene) = stress("stress-sliver");
+    assert!(sliver.shrink);
+    let small = trial::run(&sliver.subject(&scene)).shrunk.expect("it breaks");
+    assert!(numbers(&small).iter().filter(|(_, number)| complexity(*number) == 0).count() > 3, "{small:?}");
 }

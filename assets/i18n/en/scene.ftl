@@ -913,6 +913,9 @@ preset-stress-near-w-zero = One vertex lies just before the eye and one just beh
 preset-stress-long-name = Sums along a row
 preset-stress-long = The plane equation adds one slope a pixel. The depth falls to nearly nothing along the row, but the roundings of the large sums stay: the curve shows how they grow.
 
+preset-stress-frustum-edge-name = Along an edge of the frustum
+preset-stress-frustum-edge = A side of the triangle lies along an edge of the frustum, but for next to nothing. Each plane cuts what the planes before it have rounded, so binary32 keeps corners that are not there.
+
 preset-light-highlight-name = In the highlight
 preset-light-highlight = The mirrored light goes nearly to the eye, so the specular term is nearly all of ks. Drag E, and it falls quickly.
 

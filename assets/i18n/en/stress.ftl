@@ -3,13 +3,12 @@
 stress = Stress
 stress-about = Turn the dial from ordinary cases to extreme ones, and see where each arithmetic breaks.
 
-stress-what = Under stress
 stress-operation = Operation
 stress-family = Family
 stress-dial = Dial
+stress-dial-number = Dial as a number
 stress-dial-about = 0: ordinary cases; 10: as extreme as the family gets.
-stress-first-broken = The first broken case
-stress-shrink = Make it small
+stress-shrink = Shrink the first broken case
 stress-open = Open it in its lab
 stress-nothing-to-open = No case breaks here: turn the dial further, or choose another arithmetic.
 stress-unit-broken = broken
@@ -55,8 +54,8 @@ column-stress-now = now
 stress-key-extra = drawn wrongly
 stress-key-lost = lost
 stress-key-far = far off
-stress-key-off = where it lands
-stress-key-close = a little off
+stress-key-curve = how far off, bit by bit
+stress-key-taught = as computed
 stress-key-exact = exactly
 
 stress-opening = { $cases } cases to { $operation }, { $family }, dial { $dial }. Each arithmetic is held against the exact one.
@@ -76,11 +75,17 @@ stress-otherwise-and-off = { $arithmetic } breaks: it decides { $wrong } { $wron
     [one] part
    *[other] parts
 } otherwise, and its worst number is { $ulps } ULP off.
-stress-holds = Case { $number }: { $arithmetic } holds. Its worst number is { $ulps } ULP off.
-stress-breaks = Case { $number }: { $arithmetic } breaks. { $wrong } { $wrong ->
-    [one] part is
-   *[other] parts are
-} decided otherwise, { $bits } of 24 bits of the worst number are right.
+stress-done-same = Case { $number }: { $arithmetic } answers as the exact one does.
+stress-done-close = Case { $number }: { $arithmetic } holds. Its worst number is { $ulps } ULP off.
+stress-done-far = Case { $number }: { $arithmetic } breaks. Its worst number is { $ulps } ULP off, { $bits } of 24 bits are right.
+stress-done-otherwise = Case { $number }: { $arithmetic } breaks. It decides { $wrong } { $wrong ->
+    [one] part
+   *[other] parts
+} otherwise.
+stress-done-otherwise-and-off = Case { $number }: { $arithmetic } breaks. It decides { $wrong } { $wrong ->
+    [one] part
+   *[other] parts
+} otherwise, and its worst number is { $ulps } ULP off.
 stress-failing = Case { $number } is the first in which { $arithmetic } breaks.
 stress-no-case = No case breaks { $arithmetic } at this dial.
 stress-simpler = { $name } may be { $to }: { $arithmetic } breaks all the same.

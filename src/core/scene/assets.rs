@@ -150,6 +150,7 @@ pub const PRESETS: &[Preset] = presets! {
     "stress-sliver"
     "stress-near-w-zero"
     "stress-long"
+    "stress-frustum-edge"
     "back-to-the-left"
     "back-leaning-left"
     "back-leaning-right"

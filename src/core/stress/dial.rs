@@ -2,8 +2,8 @@
 //!
 //! A case is the input of the lab that teaches its operation, so that it opens there as it is.
 
-mod flat;
-mod solid;
+mod clipped;
+mod screen;
 
 use serde::{Deserialize, Serialize};
 

@@ -135,9 +135,10 @@ fn place(fact: &Fact) -> Option<Vec<f64>> {
     all.filter(|all| all.len() > 1)
 }
 
+/// What is no number is infinitely far away.
 fn distance(a: &[f64], b: &[f64]) -> f64 {
     let apart = a.iter().zip(b).map(|(a, b)| (a - b).abs());
-    apart.fold(0.0, |most, each| if each <= most { most } else { each })
+    apart.map(|each| if each.is_nan() { f64::INFINITY } else { each }).fold(0.0, f64::max)
 }
 
 /// How far a corner lies beside the nearest line between two corners; `None` if it is no corner, there are no others,

@@ -5,10 +5,8 @@ use crate::{
     document::{Document, ViewState},
     face::{Command, Face},
     shell::choices,
-    theme::Text,
-    widgets::heading,
 };
-use egui::{Slider, Ui};
+use egui::{DragValue, Slider, Ui, vec2};
 use rasterscope_core::{
     explain::{Marker, Role},
     labs::LabInput,
@@ -31,7 +29,6 @@ impl Lab for Stress {
     fn controls(&self, ui: &mut Ui, face: &Face<'_>, document: &mut Document, _: &mut ViewState) {
         let LabInput::Stress(mut input) = *document.input() else { return };
         let before = input;
-        heading(ui, face, &face.say("stress-what"));
         let all = Operation::ALL.map(|each| (each, face.say(each.word())));
         choices::choose(ui, face, "stress-operation", &mut input.operation, &all);
         let families = input.operation.families();
@@ -41,20 +38,22 @@ impl Lab for Stress {
         let all: Vec<_> = families.iter().map(|each| (*each, face.say(dial::word(*each)))).collect();
         choices::choose(ui, face, "stress-family", &mut input.family, &all);
         let name = face.say("stress-dial");
-        choices::labelled(ui, face, &name, |ui, width| {
+        let row = choices::labelled(ui, face, &name, |ui, width| {
             let spacing = ui.spacing_mut();
-            // The number stands beside the rail.
-            spacing.slider_width = width - spacing.interact_size.x - spacing.item_spacing.x;
-            ui.add(Slider::new(&mut input.dial, 0..=MOST)).accessible_name(&name);
+            let number = 34.0;
+            spacing.slider_width = width - number - spacing.item_spacing.x;
+            ui.add(Slider::new(&mut input.dial, 0..=MOST).show_value(false)).accessible_name(&name);
+            let typed = DragValue::new(&mut input.dial).speed(0.05).range(0..=MOST);
+            ui.add_sized(vec2(number, face.look.button_height()), typed)
+                .accessible_name(face.say("stress-dial-number"));
         });
-        ui.label(face.dim(face.say("stress-dial-about"), Text::Label));
+        row.on_hover_text(face.say("stress-dial-about"));
         let known: Vec<Arithmetic> = input.subject(&document.scene).rounded().collect();
         if !known.contains(&input.arithmetic) {
             input.arithmetic = Arithmetic::F32;
         }
         let all: Vec<_> = known.iter().map(|each| (*each, face.say(each.word()))).collect();
         choices::choose(ui, face, "ui-arithmetic", &mut input.arithmetic, &all);
-        heading(ui, face, &face.say("stress-first-broken"));
         choices::check(ui, face, "stress-shrink", &mut input.shrink);
         if ui.button(face.say("stress-open")).clicked() {
             face.ask(Command::CaseInLab);

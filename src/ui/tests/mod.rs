@@ -17,6 +17,7 @@ mod reach;
 mod skips;
 mod source;
 mod split;
+mod stress;
 
 use crate::{App, Clock, Platform, Purpose, Reader, theme};
 use egui::{Rect, vec2};

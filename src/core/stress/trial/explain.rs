@@ -11,7 +11,7 @@ use crate::{
     message::{Message, Value},
     replay::State,
     stress::{
-        dial,
+        dial::{self, Operation},
         judge::{Deviation, TOLERATED, Verdict, right_bits},
         shrink::{numbers, with_number},
     },
@@ -84,26 +84,28 @@ impl Snapshot {
 
     /// Each arithmetic in the case in hand, and each part that the one that is drawn gets wrong.
     fn tables_of_case(&self, out: &mut Vec<Table>) {
+        let operation = self.subject.operation;
         let rows = self.verdicts().into_iter().map(|(arithmetic, verdict)| {
-            Row::new(arithmetic.name(), errors(verdict.wrong, verdict.ulps).to_vec())
+            Row::new(arithmetic.name(), errors(operation, verdict.wrong, verdict.ulps))
                 .role(if verdict.breaks() { Role::Rejected } else { Role::Accepted })
                 .active(self.drawn == arithmetic)
         });
         out.push(Table {
             title: "stress-case-table",
-            columns: vec!["column-stress-wrong", "column-stress-ulps", "column-stress-bits"],
+            columns: columns(operation).to_vec(),
             rows: rows.collect(),
         });
         let deviations = self.deviations();
         if deviations.is_empty() {
             return;
         }
-        let rows = deviations.iter().take(MOST_ROWS).flat_map(rows_of);
-        out.push(Table {
-            title: "stress-parts",
-            columns: vec!["column-stress-here", "column-exact", "ULP"],
-            rows: rows.collect(),
-        });
+        let mut rows: Vec<_> = deviations.iter().take(MOST_ROWS).flat_map(rows_of).collect();
+        let mut columns = vec!["column-stress-here", "column-exact", "ULP"];
+        if operation == Operation::Coverage {
+            columns.pop();
+            rows.iter_mut().for_each(|row| row.cells.truncate(columns.len()));
+        }
+        out.push(Table { title: "stress-parts", columns, rows });
     }
 
     /// What the numbers of the case are, and what they were.
@@ -112,8 +114,8 @@ impl Snapshot {
         let rows = numbers(&self.case).into_iter().enumerate().map(|(i, (name, now))| {
             let old = before.get(i).map(|(_, old)| *old);
             let simpler = old.is_some_and(|old| old.to_bits() != now.to_bits());
-            let cells = vec![old.map_or(Value::BLANK, Value::F32), Value::F32(now)];
-            Row::new(name, cells).role(simpler.then_some(Role::Changed))
+            let old = old.filter(|_| simpler).map_or(Value::BLANK, digits);
+            Row::new(name, vec![old, digits(now)]).role(simpler.then_some(Role::Changed))
         });
         Table {
             title: "stress-numbers",
@@ -123,9 +125,24 @@ impl Snapshot {
     }
 }
 
-/// How much is wrong, how far the worst number is off, and how many of its bits are right.
-fn errors(wrong: u32, ulps: u32) -> [Value; 3] {
-    [wrong.into(), ulps.into(), right_bits(ulps).into()]
+/// How much is wrong; of an operation with numbers also how far the worst is off, and how many of its bits are right.
+fn errors(operation: Operation, wrong: u32, ulps: u32) -> Vec<Value> {
+    let all = [wrong.into(), ulps.into(), right_bits(ulps).into()];
+    all[..columns(operation).len()].to_vec()
+}
+
+const ERRORS: [&str; 3] = ["column-stress-wrong", "column-stress-ulps", "column-stress-bits"];
+
+/// Pixels have no numbers.
+fn columns(operation: Operation) -> &'static [&'static str] {
+    if operation == Operation::Coverage { &ERRORS[..1] } else { &ERRORS }
+}
+
+/// As many digits as tell a number from its neighbours.
+fn digits(x: f32) -> Value {
+    let plain = x == 0.0 || (1e-4..1e7).contains(&x.abs());
+    let text = if plain { format!("{x}") } else { format!("{x:e}") };
+    Value::Text(text.replace('-', "−"))
 }
 
 /// A part on both sides: each number that differs, or that only one side has it.
@@ -154,7 +171,11 @@ fn rows_of(deviation: &Deviation) -> Vec<Row> {
     let ulps = deviation.ulps.map_or(Value::BLANK, Value::from);
     let rows = pairs.map(|((value, a), (_, b))| {
         let name = if exact.values.len() == 1 { name.clone() } else { format!("{name} {value}") };
-        row(vec![a.clone(), b.clone(), ulps.clone()], name)
+        let [here, exact] = [a, b].map(|value| match *value {
+            Value::F32(x) => digits(x),
+            _ => value.clone(),
+        });
+        row(vec![here, exact, ulps.clone()], name)
     });
     rows.collect()
 }
@@ -202,11 +223,11 @@ impl Explain for Snapshot {
         "for each case of the family",
         "  exact ← the operation, exactly",
         "  each rounded arithmetic: what differs?",
-        "  a part decided otherwise, or a number far off:",
+        "  a wrong part, or a number far off:",
         "    the arithmetic breaks",
-        "take the first case that breaks the one drawn",
-        "for each of its numbers, again and again",
-        "  a simpler one, if the case still breaks",
+        "take the first case that breaks",
+        "for each of its numbers, over and over",
+        "  a simpler one, if it breaks as well",
         "until no number can be simpler",
     ];
 
@@ -270,10 +291,17 @@ impl Explain for Snapshot {
                 };
                 counted(Message::new(id).with("arithmetic", Value::text(arithmetic.name())), verdict)
             }
-            Event::Done { broken, .. } => {
-                let id = if broken { "stress-breaks" } else { "stress-holds" };
+            Event::Done { .. } => {
                 let drawn = self.verdicts.iter().find(|(each, _)| *each == self.subject.arithmetic);
-                counted(self.named(id), drawn.map_or_else(Verdict::default, |(_, verdict)| *verdict))
+                let verdict = drawn.map_or_else(Verdict::default, |(_, verdict)| *verdict);
+                let id = match verdict {
+                    Verdict { wrong: 0, ulps: 0 } => "stress-done-same",
+                    Verdict { wrong: 0, ulps: ..=TOLERATED } => "stress-done-close",
+                    Verdict { wrong: 0, .. } => "stress-done-far",
+                    Verdict { ulps: 0, .. } => "stress-done-otherwise",
+                    _ => "stress-done-otherwise-and-off",
+                };
+                counted(self.named(id), verdict)
             }
             Event::Failing { .. } => self.named("stress-failing"),
             Event::Sound => self.named("stress-no-case"),
@@ -295,19 +323,14 @@ impl Explain for Snapshot {
     fn tables(&self, out: &mut Vec<Table>) {
         self.tables_of_case(out);
         let rows = self.totals.iter().map(|total| {
-            let [wrong, worst, bits] = errors(total.wrong, total.worst);
             let breaks = if total.broken > 0 { Role::Rejected } else { Role::Accepted };
-            Row::new(total.arithmetic.name(), vec![Value::count(total.broken), wrong, worst, bits])
-                .role(breaks)
+            let mut cells = vec![Value::count(total.broken)];
+            cells.extend(errors(self.subject.operation, total.wrong, total.worst));
+            Row::new(total.arithmetic.name(), cells).role(breaks)
         });
         out.push(Table {
             title: "stress-totals",
-            columns: vec![
-                "column-stress-broken",
-                "column-stress-wrong",
-                "column-stress-ulps",
-                "column-stress-bits",
-            ],
+            columns: [&["column-stress-broken"], columns(self.subject.operation)].concat(),
             rows: rows.collect(),
         });
         out.push(self.table_of_numbers());

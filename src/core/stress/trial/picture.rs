@@ -35,6 +35,9 @@ impl Snapshot {
         for deviation in &deviations {
             self.mark(deviation, out);
         }
+        if let Some(worst) = deviations.first() {
+            self.mark_value(worst, out);
+        }
         curve(&deviations, self.subject.scene.size, out);
         let mut key = |role, id, wanted: &dyn Fn(&Deviation) -> bool| {
             if deviations.iter().any(wanted) {
@@ -43,15 +46,17 @@ impl Snapshot {
         };
         let pixel =
             |side: &Option<Fact>| side.as_ref().is_some_and(|fact| matches!(fact.subject, Part::Pixel(_)));
-        let placed = |side: &Option<Fact>| side.as_ref().is_some_and(|fact| fact.at.is_some());
         key(Role::Rejected, "stress-key-extra", &|each| pixel(&each.rounded) && each.exact.is_none());
         key(Role::Exact, "stress-key-lost", &|each| pixel(&each.exact) && each.rounded.is_none());
         key(Role::Rejected, "stress-key-far", &|each| {
             each.ulps.is_some() && each.breaks() && pixel(&each.exact)
         });
-        key(Role::Rejected, "stress-key-off", &|each| placed(&each.rounded) && each.breaks());
-        key(Role::Taught, "stress-key-close", &|each| placed(&each.rounded) && !each.breaks());
-        key(Role::Exact, "stress-key-exact", &|each| placed(&each.exact));
+        // In space the lab draws both outlines.
+        if run.vantage().is_some() && !deviations.is_empty() {
+            for (role, id) in [(Role::Taught, "stress-key-taught"), (Role::Exact, "stress-key-exact")] {
+                out.push(Mark::Key { role, sign: Sign::Line, meaning: Message::new(id) });
+            }
+        }
     }
 
     fn mark(&self, deviation: &Deviation, out: &mut Vec<Mark>) {
@@ -67,26 +72,30 @@ impl Snapshot {
                 }
                 let off = ulps.map(|ulps| Label::name(format!("{ulps} ULP")));
                 let role = if deviation.breaks() { Role::Rejected } else { Role::Taught };
-                let points = ends.into_iter().zip([(role, off), (Role::Exact, None)]);
+                // The labs of lines name the exact ends.
+                let named = matches!(self.case, LabInput::ClipLine(_));
+                let exact = (!named).then(|| Label::new("", Value::Word("row-exact")));
+                let points = ends.into_iter().zip([(role, off), (Role::Exact, exact)]);
                 out.extend(
                     points.filter_map(|(at, (role, label))| Some(Mark::Point { at: at?, role, label })),
                 );
             }
-            _ => self.mark_value(deviation, out),
+            _ => {}
         }
     }
 
-    /// A value at a point of a triangle: as it is, and as it should be.
+    /// The worst value at a point of a triangle: as it is, and with a star as it should be.
     fn mark_value(&self, deviation: &Deviation, out: &mut Vec<Mark>) {
         let LabInput::AreaRatios(AreaRatios(input)) = &self.case else { return };
-        let value = |side: &Option<Fact>| {
-            let fact = side.as_ref().filter(|fact| fact.subject == Part::Named("a".into()))?;
-            fact.values.first().map(|(_, value)| value.clone())
-        };
-        let Deviation { rounded, exact, .. } = deviation;
-        for (name, role, side) in [("a", Role::Rejected, rounded), ("a*", Role::Exact, exact)] {
-            let label = value(side).map(|value| Some(Label::new(name, value)));
-            out.extend(label.map(|label| Mark::Point { at: input.at, role, label }));
+        for (star, role, side) in
+            [("", Role::Rejected, &deviation.rounded), ("*", Role::Exact, &deviation.exact)]
+        {
+            let Some(Fact { subject: Part::Named(name), values, .. }) = side else { continue };
+            // The lab names the value that it comes to.
+            let named = name == "a" && star.is_empty();
+            let value = values.first().filter(|_| !named);
+            let label = value.map(|(_, value)| Label::new(format!("{name}{star}"), value.clone()));
+            out.push(Mark::Point { at: input.at, role, label });
         }
     }
 }
@@ -131,4 +140,5 @@ fn curve(deviations: &[Deviation], [_, height]: [u32; 2], out: &mut Vec<Mark>) {
         role: Role::Rejected,
         label: Some(Label::name(format!("≤ {worst} ULP"))),
     });
+    out.push(Mark::Key { role: Role::Rejected, sign: Sign::Line, meaning: Message::new("stress-key-curve") });
 }

@@ -50,7 +50,7 @@ impl Drive {
             // A side that passes by a centre every few rows; the longer it is, the oftener the slope is added.
             Family::Long => {
                 let start = points[0].map(|c| (c / 4.0).floor() + 0.5);
-                let rows = f64::from(self.random.pick(&[3.0, 5.0, 6.0, 7.0]));
+                let rows = self.random.pick(&[3.0, 5.0, 6.0, 7.0]);
                 let columns = (self.uniform(0.2, 0.9) * rows).ceil();
                 let room = ((width - start[0]) / columns).min((height - start[1]) / rows);
                 let times = (room * (0.2 + 0.8 * self.far)).floor().max(1.0);

@@ -41,7 +41,7 @@ impl Drive {
         let end = [cos * far, sin * far].map(narrow).map(f64::from);
         let back = self.random.pick(&[0.5, 1.0, 2.0]);
         let side = self.uniform(3.0, 9.0) * self.sign();
-        [end, end.map(|c| -c * f64::from(back)), [-sin * side, cos * side]]
+        [end, end.map(|c| -c * back), [-sin * side, cos * side]]
     }
 
     fn ends(&mut self) -> [Point; 3] {

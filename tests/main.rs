@@ -56,6 +56,7 @@ mod scene_errors;
 mod shading;
 mod skips;
 mod stencil;
+mod stress;
 mod support;
 mod sutherland_hodgman;
 mod tour;

@@ -123,6 +123,7 @@ pub const LANGUAGES: &[Language] = &[language!("en":
     "z-buffer"
     "depth-precision"
     "blend"
+    "stress"
     "bench"
     "measure"
     "figure"

@@ -15,7 +15,8 @@ use crate::{
 use egui::Context;
 use rasterscope_core::{
     compare::Setting,
-    labs,
+    labs::{self, LabInput},
+    math::Arithmetic,
     message::{Message, Value},
     scene,
 };
@@ -77,6 +78,7 @@ impl App {
             Command::Split => self.one(ctx, Command::AskCompare, platform),
             Command::Compare(setting) => self.compare(setting),
             Command::OfSide(side, setting) => self.edit(|document| document.choose(side, setting)),
+            Command::CaseInLab => self.open_case(),
             Command::MeasureSkips => self.measure_skips(ctx, platform),
             Command::Explain(side) => self.run.explain(side),
             Command::Keys => self.view.keys = !self.view.keys,
@@ -240,6 +242,23 @@ impl App {
         } else {
             self.compare(None);
         }
+    }
+
+    /// Opens the first broken case of the stress lab in the lab of its operation, with exact beside it.
+    fn open_case(&mut self) {
+        let LabInput::Stress(stress) = *self.document.input() else { return };
+        let Some(case) = stress.shrunk(&self.document.scene) else {
+            self.notice = Some(Notice::Failed(self.words.word("stress-nothing-to-open")));
+            return;
+        };
+        self.edit(|document| {
+            document.open_lab(case.name(), || case.clone());
+            *document.input_mut() = case;
+            document.compare(Some(Setting::Arithmetic(Arithmetic::Exact)));
+        });
+        self.view.due = None;
+        self.canvas.fit();
+        self.view.outside = None;
     }
 
     /// Shows two sides that differ in a setting, or one side only; can be undone.

@@ -132,6 +132,8 @@ pub(crate) enum Command {
     Compare(Option<Setting>),
     /// Measure what each skip saves.
     MeasureSkips,
+    /// Open the first broken case of the stress lab, made small, in the lab of its operation, beside exact.
+    CaseInLab,
     /// Leave the split view, or show what can be compared.
     Split,
     /// Choose what a side has of the setting in which they differ.

@@ -892,6 +892,30 @@ preset-samples-per-sample = Inside the triangle the shade changes faster than pi
 preset-samples-on-an-edge-name = Samples on an edge
 preset-samples-on-an-edge = The left edge passes exactly through samples: the tie rule decides for samples as it does for centres.
 
+preset-stress-nearly-parallel-name = Nearly parallel lines
+preset-stress-nearly-parallel = Lines nearly along a border that pass a corner of the window by less than binary32 can tell. Rounding decides whether they are drawn, and half of the cases come out wrong.
+
+preset-stress-beside-name = One step beside a centre
+preset-stress-beside = Vertices on pixel centres, or one step of binary32 beside them. The tie rule decides there, and rounding breaks ties: binary32 gets pixels wrong, binary64 and exact none.
+
+preset-stress-huge-name = Huge triangles
+preset-stress-huge = Two vertices lie so far away that the image is a point to them. No product of such numbers keeps a digit of a pixel. Turn the dial on, and binary64 breaks as well.
+
+preset-stress-denormal-name = Below the smallest normal number
+preset-stress-denormal = A side misses the centres of a diagonal by a number below the smallest normal one. Beside a coordinate of 10 no sum keeps such a number, so only exact signs see which side they lie on.
+
+preset-stress-sliver-name = A sliver, made small
+preset-stress-sliver = The triangle has nearly no area, and dividing by it multiplies every rounding. The first case that breaks is made small, number by number.
+
+preset-stress-near-w-zero-name = w near 0
+preset-stress-near-w-zero = One vertex lies just before the eye and one just behind it. What they say of 1/w nearly cancels, and what is left is rounding.
+
+preset-stress-long-name = Sums along a row
+preset-stress-long = The plane equation adds one slope a pixel. The depth falls to nearly nothing along the row, but the roundings of the large sums stay: the curve shows how they grow.
+
+preset-stress-frustum-edge-name = Along an edge of the frustum
+preset-stress-frustum-edge = A side of the triangle lies along an edge of the frustum, but for next to nothing. Each plane cuts what the planes before it have rounded, so binary32 keeps corners that are not there.
+
 preset-light-highlight-name = In the highlight
 preset-light-highlight = The mirrored light goes nearly to the eye, so the specular term is nearly all of ks. Drag E, and it falls quickly.
 

@@ -4,8 +4,8 @@
 use super::{
     ALL, AreaRatios, BackFace, Blend, Bvh, ClipConvex, ClipLine, ClipPlane, ClipPoint, ClipPolygon,
     ClipTriangle, DepthPrecision, DrawLine, DrawPoint, FillPolygon, FillTriangle, FrustumCulling,
-    Homogeneous, Lighting, Msaa, PerspectiveCorrection, Pipeline, PlaneEquation, Shading, Stencil, Transform,
-    ZBuffer, default_input, find,
+    Homogeneous, Lighting, Msaa, PerspectiveCorrection, Pipeline, PlaneEquation, Shading, Stencil, Stress,
+    Transform, ZBuffer, default_input, find,
 };
 use crate::{
     compare::{Choice, Setting},
@@ -172,6 +172,8 @@ families! {
     Shading
     /// The stencil test, draw by draw.
     Stencil
+    /// Cases driven to where arithmetic breaks.
+    Stress
     /// Triangles, fragment by fragment.
     ZBuffer
     /// The step of depth along the line of sight.

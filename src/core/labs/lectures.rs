@@ -89,6 +89,7 @@ const TOPICS: &[(&str, &[Topic])] = &[
     ),
     ("lighting", &[at(SLOVENE, "Senčilnik fragmentov")]),
     ("shading", &[at(SLOVENE, "Senčilnik oglišč"), at(SLOVENE, "Senčilnik fragmentov")]),
+    ("stress", &[at(RUSSIAN, "Точность"), at(TUZLA, "Sekvencijalna rasterizacija")]),
     ("edge-table", &[at(ESTONIAN, "Ridahaaval töötlemine")]),
     ("stencil", &[at(SLOVENE, "Test šablone")]),
     (

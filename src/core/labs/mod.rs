@@ -31,6 +31,7 @@ mod perspective_correction;
 mod pipeline;
 mod shading;
 mod stencil;
+mod stress;
 mod transform;
 mod z_buffer;
 
@@ -60,6 +61,7 @@ pub use self::{
     pipeline::Pipeline,
     shading::{ShadeMode, Shading},
     stencil::{Order, Stencil},
+    stress::Stress,
     transform::Transform,
     z_buffer::{TriangleState, ZBuffer},
 };
@@ -146,6 +148,7 @@ pub const ALL: &[LabInfo] = &[
     LabInfo::new::<DrawLine>("diamond-exit", Stage::ScanConversion),
     LabInfo::new::<DrawPoint>("points", Stage::ScanConversion),
     LabInfo::new::<Msaa>("msaa", Stage::ScanConversion),
+    LabInfo::new::<Stress>("stress", Stage::ScanConversion),
     LabInfo::new::<AreaRatios>("area-ratios", Stage::Fragments),
     LabInfo::new::<PlaneEquation>("plane-equation", Stage::Fragments),
     LabInfo::new::<PerspectiveCorrection>("perspective-correction", Stage::Fragments),

@@ -4,18 +4,22 @@
 //! A generator takes a family and a count; the first inputs of a longer list are those of a shorter one.
 
 pub mod clip_triangles;
+pub mod dial;
+pub mod judge;
 pub mod points;
 pub mod polygons;
 mod random;
 pub mod segments;
+pub mod shrink;
+pub mod trial;
 pub mod triangles;
 
 pub use random::Random;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What is special about inputs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Family {
     /// Nothing.

@@ -43,6 +43,7 @@ mod points;
 mod scanline;
 mod shading;
 mod stencil;
+mod stress;
 mod sutherland_hodgman;
 mod tiled;
 mod transform;
@@ -189,6 +190,7 @@ pub(crate) fn registry() -> Vec<Box<dyn Lab>> {
         Box::new(bresenham::LAB),
         Box::new(diamond_exit::LAB),
         Box::new(points::Points),
+        Box::new(stress::Stress),
         Box::new(stencil::Stencil),
         Box::new(msaa::Msaa),
         Box::new(area_ratios::LAB),

@@ -9,12 +9,15 @@ mod keeping;
 mod keys;
 mod labs;
 mod measure;
+mod overlay;
 mod painter;
 mod pictures;
 mod pixel;
 mod reach;
+mod skips;
 mod source;
 mod split;
+mod stress;
 
 use crate::{App, Clock, Platform, Purpose, Reader, theme};
 use egui::{Rect, vec2};

@@ -36,6 +36,7 @@ pub(super) struct Whole {
     /// The corners of all pieces that are drawn together, three each.
     soup: Vec<[f32; 3]>,
     places: Vec<Place>,
+    gradients: Vec<Gradient>,
     stats: Stats,
 }
 
@@ -44,8 +45,17 @@ pub(super) struct Whole {
 struct Place {
     draw: usize,
     piece: usize,
-    /// Its codes, if all its pixels have the same.
-    constant: Option<[u8; 4]>,
+    paint: Paints,
+}
+
+/// What a piece is painted with.
+#[derive(Clone, Copy, Debug)]
+enum Paints {
+    /// The codes of all its pixels.
+    Constant([u8; 4]),
+    /// Whole rows at once, as far as that is certain: one of the gradients.
+    Gradient(u32),
+    Shader,
 }
 
 impl Whole {
@@ -75,7 +85,7 @@ impl Whole {
             frame.depth_codes = Some(vec![0; codes.len()]);
         }
         let engine = Engine::default();
-        let (soup, places, stats) = Default::default();
+        let (soup, places, gradients, stats) = Default::default();
         Some(Self {
             engine,
             canvas,
@@ -86,6 +96,7 @@ impl Whole {
             fresh: true,
             soup,
             places,
+            gradients,
             stats,
         })
     }
@@ -150,6 +161,8 @@ impl Whole {
     ) {
         self.soup.clear();
         self.places.clear();
+        self.gradients.clear();
+        let lanes = Lanes::widest();
         for ((draw, outputs), state) in (first..).zip(draws).zip(states) {
             let (screen, pieces) = (outputs.screen(), &outputs.clipped().pieces);
             counts.pieces += pieces.len() as u64;
@@ -163,11 +176,21 @@ impl Whole {
                 }
                 let place = |[x, y, z, _]: [f32; 4]| [x, y, z];
                 self.soup.extend_from_slice(&[place(a), place(b), place(c)]);
-                let constant = match state.blend {
-                    None => Shader::constant_of(outputs, piece, state.texture, &mut counts.tally),
-                    Some(_) => None,
+                // All that a gradient needs is at hand now; when a pixel asks, it would be fetched from afar.
+                let paint = match state.blend {
+                    Some(_) => Paints::Shader,
+                    None => match Shader::constant_of(outputs, piece, state.texture, &mut counts.tally) {
+                        Some(codes) => Paints::Constant(codes),
+                        None => match Shader::gradient_of(outputs, piece, state.texture, lanes) {
+                            Some(gradient) => {
+                                self.gradients.push(gradient);
+                                Paints::Gradient(self.gradients.len() as u32 - 1)
+                            }
+                            None => Paints::Shader,
+                        },
+                    },
                 };
-                self.places.push(Place { draw, piece: index, constant });
+                self.places.push(Place { draw, piece: index, paint });
             }
         }
     }
@@ -195,7 +218,8 @@ impl Whole {
             ..engine::State::default()
         };
         let triangles = Triangles { positions: &self.soup, indices: None, colors: Colors::One([0; 4]) };
-        let palette = Palette { draws, states, places: &self.places, order, lanes: state.lanes };
+        let (places, gradients) = (&self.places, &self.gradients);
+        let palette = Palette { draws, states, places, gradients, order, lanes: state.lanes };
         self.engine.paint(&mut self.canvas, clear, &triangles, &state, &palette)
     }
 
@@ -245,6 +269,7 @@ struct Palette<'w> {
     draws: &'w [DrawOutputs],
     states: &'w [FragmentState],
     places: &'w [Place],
+    gradients: &'w [Gradient],
     order: PaintOrder,
     lanes: Lanes,
 }
@@ -252,8 +277,7 @@ struct Palette<'w> {
 /// The colour of one piece.
 enum Brush<'w> {
     Constant([u8; 4]),
-    /// Whole rows at once, as far as that is certain.
-    Gradient(Gradient, Place),
+    Gradient(&'w Gradient, Place),
     Shader(Box<Shader>, &'w FragmentState),
 }
 
@@ -270,19 +294,16 @@ impl<'w> Painter for Palette<'w> {
 
     fn brush(&self, triangle: u32, tally: &mut Tally) -> Brush<'w> {
         let place = self.places[triangle as usize];
-        if let Some(codes) = place.constant {
-            return Brush::Constant(codes);
+        match place.paint {
+            Paints::Constant(codes) => return Brush::Constant(codes),
+            Paints::Gradient(index) => {
+                // The sign of its area.
+                tally.calls += 1;
+                return Brush::Gradient(&self.gradients[index as usize], place);
+            }
+            Paints::Shader => {}
         }
         let state = &self.states[place.draw];
-        if state.blend.is_none() {
-            let outputs = &self.draws[place.draw];
-            let piece = &outputs.clipped().pieces[place.piece];
-            if let Some(gradient) = Shader::gradient_of(outputs, piece, state.texture, self.lanes) {
-                // The sign of its area decides nothing that is not certain.
-                tally.calls += 1;
-                return Brush::Gradient(gradient, place);
-            }
-        }
         // What covers a pixel has an area.
         let Some(shader) = self.shader(place, tally) else { return Brush::Constant([0; 4]) };
         Brush::Shader(Box::new(shader), state)

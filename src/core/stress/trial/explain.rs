@@ -309,7 +309,7 @@ impl Explain for Snapshot {
                 let name = numbers(&self.case).into_iter().nth(number.into()).map(|(name, _)| name);
                 self.named("stress-simpler")
                     .with("name", Value::Text(name.unwrap_or_default()))
-                    .with("to", to)
+                    .with("to", digits(to))
             }
             Event::Simplest => self
                 .named("stress-simplest")

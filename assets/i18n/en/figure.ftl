@@ -24,7 +24,7 @@ figure-overlay-no-stencil = No stencil value was written: every pixel holds the 
 figure-overlay-generated = fragments that the pixel got
 figure-overlay-written = fragments that were written to the pixel
 figure-overlay-no-fragment = No pixel got a fragment.
-figure-overlay-equal = fragments whose depth code equals the stored one
+figure-overlay-equal = fragments with the code stored there
 figure-overlay-no-equal = No fragment had the depth code that was stored.
 figure-overlay-wires = { $edges ->
     [one] one edge of the triangles on the screen

@@ -35,7 +35,8 @@ fn press(window: &mut Window, key: Key) {
 #[test]
 fn each_overlay_has_a_key() {
     let mut window = window(1280.0, 720.0);
-    let keys = [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num0];
+    let keys =
+        [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8, Key::Num0];
     let overlays = Overlay::ALL.into_iter().skip(1).chain([Overlay::None]);
     for (key, overlay) in keys.into_iter().zip(overlays) {
         press(&mut window, key);

@@ -21,7 +21,7 @@ pub struct State {
     pub fill_rule: FillRule,
     /// Which way the vertices' y and the rows grow.
     pub y_axis: YAxis,
-    /// What is left out: `tile`, `hierarchical-z` and `clear` are looked at.
+    /// What is left out: `tile`, `hierarchical-z` and `clear` are looked at; front to back is part of the second.
     pub skips: Skips,
     /// The vector unit.
     pub lanes: Lanes,

@@ -8,13 +8,20 @@ use super::{
 };
 use crate::depth::DepthState;
 
-/// Decides about depths that are known as intervals.
+/// Decides about depths that are known as intervals. Unless a test says otherwise, binary32 is stored, and whenever a
+/// depth passes.
 pub(super) trait Test: Copy {
     /// Whether there is a stencil test before.
-    const STENCIL: bool;
+    const STENCIL: bool = false;
+
+    /// Whether a pixel may still change where depths are equal.
+    const TIES: bool = false;
 
     /// What is stored for a depth that lies between two: that for the least and that for the greatest.
-    fn ends(&self, near: f64, far: f64) -> [f32; 2];
+    #[inline(always)]
+    fn ends(&self, near: f64, far: f64) -> [f32; 2] {
+        [near as f32, far as f32]
+    }
 
     /// The same for the pixels of a row.
     #[inline(always)]
@@ -22,19 +29,22 @@ pub(super) trait Test: Copy {
         pixels.start.along(pixels.across)
     }
 
-    /// Whether a pixel may still change where depths are equal.
-    const TIES: bool = false;
-
     /// All bits if a depth passes against the stored one, else none. The two are what the pixel would hold as its
     /// colour, and what it holds.
     fn passes(&self, depths: [f32; 2], colors: [u32; 2]) -> u32;
 
     /// All bits if it matters that the two ends of an interval differ, for a pixel that is covered (or not) and
     /// passes (or not) at the near end.
-    fn matters(&self, covered: u32, passes: u32) -> u32;
+    #[inline(always)]
+    fn matters(&self, _covered: u32, passes: u32) -> u32 {
+        passes
+    }
 
     /// The bits of a depth that are stored.
-    fn written(&self) -> u32;
+    #[inline(always)]
+    fn written(&self) -> u32 {
+        u32::MAX
+    }
 }
 
 /// Less, and stored. What is not less at its least is not less.
@@ -42,26 +52,9 @@ pub(super) trait Test: Copy {
 pub(super) struct Nearer;
 
 impl Test for Nearer {
-    const STENCIL: bool = false;
-
-    #[inline(always)]
-    fn ends(&self, near: f64, far: f64) -> [f32; 2] {
-        [near as f32, far as f32]
-    }
-
     #[inline(always)]
     fn passes(&self, [new, stored]: [f32; 2], _: [u32; 2]) -> u32 {
         mask(new < stored)
-    }
-
-    #[inline(always)]
-    fn matters(&self, _: u32, passes: u32) -> u32 {
-        passes
-    }
-
-    #[inline(always)]
-    fn written(&self) -> u32 {
-        u32::MAX
     }
 }
 
@@ -70,27 +63,11 @@ impl Test for Nearer {
 pub(super) struct First;
 
 impl Test for First {
-    const STENCIL: bool = false;
     const TIES: bool = true;
-
-    #[inline(always)]
-    fn ends(&self, near: f64, far: f64) -> [f32; 2] {
-        [near as f32, far as f32]
-    }
 
     #[inline(always)]
     fn passes(&self, [new, stored]: [f32; 2], [place, painted]: [u32; 2]) -> u32 {
         mask(new < stored) | mask(new == stored) & mask(place < painted)
-    }
-
-    #[inline(always)]
-    fn matters(&self, _: u32, passes: u32) -> u32 {
-        passes
-    }
-
-    #[inline(always)]
-    fn written(&self) -> u32 {
-        u32::MAX
     }
 }
 
@@ -118,13 +95,6 @@ impl Any {
 }
 
 impl Test for Any {
-    const STENCIL: bool = false;
-
-    #[inline(always)]
-    fn ends(&self, near: f64, far: f64) -> [f32; 2] {
-        [near as f32, far as f32]
-    }
-
     #[inline(always)]
     fn passes(&self, [new, stored]: [f32; 2], _: [u32; 2]) -> u32 {
         self.less & mask(new < stored) | self.equal & mask(new == stored) | self.greater & mask(new > stored)
@@ -163,8 +133,6 @@ impl Codes {
 }
 
 impl Test for Codes {
-    const STENCIL: bool = false;
-
     #[inline(always)]
     fn ends(&self, near: f64, far: f64) -> [f32; 2] {
         const SLACK: f64 = 1.0 / (1 << 24) as f64;

@@ -5,89 +5,16 @@
 use super::{
     Stats, Triangles,
     canvas::{TILE, tiles},
-    lanes::LANES,
+    group::{Entry, Group, List},
+    lanes::{LANES, larger, lesser, whole},
     state::Rules,
 };
 use crate::math::predicates::ORIENT2D_FILTER;
 
-/// A triangle in a list. A copy, since the lists are read one after another, but the triangles in a list lie far
-/// apart in memory.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Entry {
-    /// Vertices: x and y in pixels, depth.
-    corners: [[f32; 3]; 3],
-    /// Its colour codes, or its number from 1 if they are painted.
-    pub(super) color: u32,
-}
-
-impl Entry {
-    const NOTHING: Self = Self { corners: [[0.0; 3]; 3], color: 0 };
-
-    /// The depth of its nearest vertex.
-    #[inline(always)]
-    pub(super) fn nearest(&self) -> f32 {
-        let [[.., a], [.., b], [.., c]] = self.corners;
-        a.min(b).min(c)
-    }
-}
-
-/// Up to [`LANES`] of them, one a lane; those that are missing have no area.
-pub(super) struct Group {
-    pub(super) corners: [[[f32; LANES]; 3]; 3],
-    pub(super) colors: [u32; LANES],
-}
-
-impl Group {
-    #[inline(always)]
-    pub(super) fn new(entries: &[Entry]) -> Self {
-        let mut few = [Entry::NOTHING; LANES];
-        match entries.first_chunk() {
-            Some(all) => Self::of(all),
-            None => {
-                few.iter_mut().zip(entries).for_each(|(entry, other)| *entry = *other);
-                Self::of(&few)
-            }
-        }
-    }
-
-    /// Of those of a list whose places are given. In place of a colour they have their place, from 1.
-    #[inline(always)]
-    pub(super) fn at(places: &[u32], entries: &[Entry]) -> Self {
-        let mut few = [Entry::NOTHING; LANES];
-        for (entry, place) in few.iter_mut().zip(places) {
-            if let Some(other) = entries.get(*place as usize) {
-                *entry = Entry { color: place + 1, ..*other };
-            }
-        }
-        Self::of(&few)
-    }
-
-    #[inline(always)]
-    fn of(all: &[Entry; LANES]) -> Self {
-        let mut group = Self { corners: [[[0.0; LANES]; 3]; 3], colors: [0; LANES] };
-        for corner in 0..3 {
-            for axis in 0..3 {
-                for i in 0..LANES {
-                    group.corners[corner][axis][i] = all[i].corners[corner][axis];
-                }
-            }
-        }
-        for i in 0..LANES {
-            group.colors[i] = all[i].color;
-        }
-        group
-    }
-
-    /// The vertices of one.
-    pub(super) fn triangle(&self, lane: usize) -> [[f32; 3]; 3] {
-        self.corners.map(|corner| corner.map(|all| all[lane]))
-    }
-}
-
 /// For each tile the triangles that may touch it, in the order of drawing.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bins {
-    lists: Vec<Vec<Entry>>,
+    lists: Vec<List>,
     columns: usize,
     /// Pixels of the boxes of all triangles, and how many of these there are.
     area: u64,
@@ -98,8 +25,8 @@ impl Bins {
     /// Empties the lists, keeping their room.
     pub(super) fn reset(&mut self, size: [u32; 2]) {
         let [columns, rows] = tiles(size);
-        self.lists.iter_mut().for_each(Vec::clear);
-        self.lists.resize_with(columns * rows, Vec::new);
+        self.lists.iter_mut().for_each(List::clear);
+        self.lists.resize_with(columns * rows, List::default);
         self.columns = columns;
         (self.area, self.count) = (0, 0);
     }
@@ -112,7 +39,7 @@ impl Bins {
 
     /// The triangles of a tile.
     pub(super) fn list(&self, tile: usize) -> &[Entry] {
-        &self.lists[tile]
+        self.lists[tile].entries()
     }
 
     /// Sorts all triangles in. One with a coordinate that is no number, or whose box holds no pixel's centre,
@@ -125,26 +52,39 @@ impl Bins {
         rules: &Rules,
         stats: &mut Stats,
     ) {
-        let limit = size.map(|pixels| pixels as f32);
-        for triangle in 0..triangles.len() {
-            let corners = triangles.corners(triangle);
-            let Some(pixels) = pixels_of(&corners, limit) else {
-                stats.culled += 1;
-                continue;
-            };
-            let [left, right, top, bottom] = pixels.map(|pixel| pixel as usize / TILE);
-            let [width, height] = [pixels[1] - pixels[0], pixels[3] - pixels[2]];
-            self.area += (width + 1) as u64 * (height + 1) as u64;
-            self.count += 1;
-            let color = if rules.counts { triangle as u32 + 1 } else { triangles.color(triangle) };
-            let entry = Entry { corners, color };
-            if rules.tile && right - left > 1 && bottom - top > 1 {
-                self.push_large(entry, [left, right, top, bottom], stats);
-                continue;
+        for start in (0..triangles.len()).step_by(LANES) {
+            let count = LANES.min(triangles.len() - start);
+            let mut group = Group::NOTHING;
+            for half in [0, LANES / 2] {
+                let i = start + half;
+                let (a, b) = (triangles.vertices(i), triangles.vertices(i + 1));
+                let (c, d) = (triangles.vertices(i + 2), triangles.vertices(i + 3));
+                group.put(half, [a, b, c, d]);
             }
-            for row in top..=bottom {
-                for list in &mut self.lists[row * self.columns..][left..=right] {
-                    list.push(entry);
+            let boxes = Boxes::new(&group, size);
+            for i in 0..count {
+                let [left, right, top, bottom] = boxes.pixels.map(|ends| ends[i]);
+                if !boxes.some[i] {
+                    stats.culled += 1;
+                    continue;
+                }
+                let place = start + i;
+                let color = if rules.counts { place as u32 + 1 } else { triangles.color(place) };
+                let entry = Entry { corners: triangles.corners(place), color: f32::from_bits(color) };
+                self.area += u64::from(right - left + 1) * u64::from(bottom - top + 1);
+                self.count += 1;
+                let [left, right, top, bottom] =
+                    [left, right, top, bottom].map(|pixel| pixel as usize / TILE);
+                if left == right && top == bottom {
+                    self.lists[top * self.columns + left].push(entry);
+                } else if rules.tile && right - left > 1 && bottom - top > 1 {
+                    self.push_large(entry, [left, right, top, bottom], stats);
+                } else {
+                    for row in top..=bottom {
+                        for list in &mut self.lists[row * self.columns..][left..=right] {
+                            list.push(entry);
+                        }
+                    }
                 }
             }
         }
@@ -200,38 +140,47 @@ impl Sides {
 /// Pixels of the box around a triangle of which large parts can be hidden.
 const LARGE: u64 = 256;
 
-/// Vertices that are not there.
-pub(super) const NOWHERE: [[f32; 3]; 3] = [[f32::NAN; 3]; 3];
-
-/// First and last column, first and last row of the centres in the box around a triangle; `None` if there is no such
-/// centre or a coordinate is no number.
-///
-/// Subtracting 1/2 rounds only below 1/4, and never across an integer.
-#[inline(always)]
-fn pixels_of([a, b, c]: &[[f32; 3]; 3], limit: [f32; 2]) -> Option<[i32; 4]> {
-    let least = |a: f32, b: f32| if a < b { a } else { b };
-    let greatest = |a: f32, b: f32| if a > b { a } else { b };
-    let (mut first, mut last) = ([0; 2], [0; 2]);
-    for axis in 0..2 {
-        let [a, b, c] = [a[axis], b[axis], c[axis]];
-        let begin = (least(least(a, b), c) - 0.5).ceil();
-        let end = (greatest(greatest(a, b), c) - 0.5).floor();
-        // Clamped, so that the conversion needs no care; -1 and the limit are off the image.
-        first[axis] = integer(least(greatest(begin, 0.0), limit[axis]));
-        last[axis] = integer(least(greatest(end, -1.0), limit[axis] - 1.0));
-    }
-    // Infinity minus infinity, and whatever has to do with NaN, is NaN.
-    let nothing = |[x, y, z]: &[f32; 3]| x * 0.0 + y * 0.0 + z * 0.0;
-    let sum = nothing(a) + nothing(b) + nothing(c);
-    if sum.is_nan() || first[0] > last[0] || first[1] > last[1] {
-        return None;
-    }
-    Some([first[0], last[0], first[1], last[1]])
+/// The boxes around a few triangles.
+struct Boxes {
+    /// First and last column, first and last row of the centres in each.
+    pixels: [[u32; LANES]; 4],
+    /// Whether there is such a centre, and all coordinates are numbers.
+    some: [bool; LANES],
 }
 
-/// A small whole number as an integer: the low bits after adding 1.5 * 2^23.
-#[inline(always)]
-fn integer(whole: f32) -> i32 {
-    const SHIFT: f32 = 12_582_912.0;
-    (whole + SHIFT).to_bits().wrapping_sub(SHIFT.to_bits()) as i32
+impl Boxes {
+    /// Those in an image.
+    ///
+    /// Subtracting 1/2 rounds only below 1/4, and never across an integer.
+    #[inline(always)]
+    fn new(group: &Group, size: [u32; 2]) -> Self {
+        let mut boxes = Self { pixels: [[0; LANES]; 4], some: [true; LANES] };
+        for axis in 0..2 {
+            let limit = size[axis] as f32;
+            let [a, b, c] = [&group.corners[0][axis], &group.corners[1][axis], &group.corners[2][axis]];
+            for i in 0..LANES {
+                let begin = (lesser(lesser(a[i], b[i]), c[i]) - 0.5).ceil();
+                let end = (larger(larger(a[i], b[i]), c[i]) - 0.5).floor();
+                // Clamped, so that the conversion needs no care; -1 and the limit are off the image.
+                let begin = lesser(larger(begin, 0.0), limit);
+                let end = lesser(larger(end, -1.0), limit - 1.0);
+                boxes.pixels[2 * axis][i] = whole(begin);
+                boxes.pixels[2 * axis + 1][i] = whole(end);
+                boxes.some[i] &= begin <= end;
+            }
+        }
+        let mut nothing = [0.0; LANES];
+        for corner in &group.corners {
+            for numbers in corner {
+                for i in 0..LANES {
+                    // Infinity times zero, and whatever has to do with NaN, is NaN.
+                    nothing[i] += numbers[i] * 0.0;
+                }
+            }
+        }
+        for i in 0..LANES {
+            boxes.some[i] &= nothing[i] == 0.0;
+        }
+        boxes
+    }
 }

@@ -20,6 +20,11 @@ pub(super) struct Across<const N: usize> {
     rest: [f32; N],
 }
 
+impl<const N: usize> Across<N> {
+    /// None.
+    pub(super) const NOTHING: Self = Self { grid: [0.0; N], rest: [0.0; N] };
+}
+
 /// What rows begin with on the grid, and less the rest: a little too near and too far.
 ///
 /// Everything is subtracted, for the compiler exchanges the terms of sums when it looks for what can be done in

@@ -5,16 +5,16 @@
 
 use super::{
     State, Stats,
-    bins::{Entry, Group},
     canvas::TILE,
     depths::Across,
     foremost::Foremost,
+    group::{Entry, Group},
     ink::{Flat, Ink},
     lanes::{LANES, Wide, greatest, least},
-    pixels::{Pixels, Place},
+    pixels::{Covered, Pixels, Place},
     rows::{Band, Exact, Left, Rows},
     setup::Setup,
-    small::SmallRows,
+    small::Small,
     state::Rules,
     test::{Any, Codes, First, Masked, Nearer, Test},
     tile::{BLOCK, Tile},
@@ -98,6 +98,7 @@ impl Tile {
         (list, order): (&[Entry], Option<&Foremost>),
         stats: &mut Stats,
     ) {
+        let small = &mut Small::none();
         job.state.lanes.run(
             #[inline(always)]
             || {
@@ -112,17 +113,20 @@ impl Tile {
                         Some(order) => Group::at(&order.order[start..], list),
                     };
                     let farthest = if T::TIES { farthest.next_up() } else { farthest };
-                    let setup = Setup::new(group, (job.origin, farthest), job.rules, stats);
-                    let rows = SmallRows::new(&setup, group, &job, I::COUNTS, stats);
-                    for lane in 0..LANES {
-                        if setup.rows[0][lane] >= setup.rows[1][lane] {
-                            continue;
+                    let setup = &Setup::new((group, small), (job.origin, farthest), job.rules, stats);
+                    let mut lane = 0;
+                    while lane < LANES {
+                        let subject = |lane| Subject { job, group, setup, lane };
+                        while lane < LANES && (small.fits[lane] || setup.is_empty(lane)) {
+                            if !setup.is_empty(lane) {
+                                self.small_triangle::<T, I>(small, &subject(lane), stats);
+                            }
+                            lane += 1;
                         }
-                        let subject = Subject { job, group, setup: &setup, lane };
-                        if rows.small[lane] {
-                            self.small_triangle((test, &mut *ink), &rows, &subject, stats);
-                        } else {
-                            self.triangle((test, &mut *ink), &subject, stats);
+                        self.small_pieces((test, &mut *ink), small, &subject, stats);
+                        if lane < LANES {
+                            self.triangle((test, &mut *ink), &subject(lane), stats);
+                            lane += 1;
                         }
                     }
                 }
@@ -217,9 +221,9 @@ impl Tile {
         for row in piece.rows.clone() {
             let row = row % LANES;
             let at = [piece.x, piece.top + row];
-            let place = Place { at, covered: (rows.bits[row] >> piece.x) as u32 };
-            let pixels = Pixels { place, start: starts.at(row), across };
-            self.row_of_pixels((test, &mut *ink), &pixels, subject, stats);
+            let pixels = Pixels { place: Place { at }, start: starts.at(row), across };
+            let covered = Covered::bits((rows.bits[row] >> piece.x) as u32);
+            self.row_of_pixels((test, &mut *ink), (&pixels, covered), subject, stats);
         }
     }
 }

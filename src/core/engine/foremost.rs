@@ -8,7 +8,7 @@
 //! *Source:* Greene, Kass, Miller, Hierarchical Z-Buffer Visibility, SIGGRAPH 1993 (what is near first); Knuth, The Art
 //! of Computer Programming, vol. 3, section 5.2, Algorithm D (distribution counting). Deviation: only nearly sorted.
 
-use super::bins::Entry;
+use super::group::Entry;
 
 /// Into so many parts the range of depths is divided.
 const PARTS: usize = 64;
@@ -75,7 +75,7 @@ impl Foremost {
         }
         self.colors.clear();
         self.colors.push(0);
-        self.colors.extend(list.iter().map(|entry| entry.color));
+        self.colors.extend(list.iter().map(Entry::color));
         true
     }
 

@@ -83,6 +83,25 @@ pub(crate) fn greatest(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
+/// The smaller of two binary32 numbers that are not NaN.
+#[inline(always)]
+pub(super) fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// The greater of two binary32 numbers that are not NaN.
+#[inline(always)]
+pub(super) fn larger(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// A whole binary32 number from -2^22 to 2^22 as an integer: the low bits after adding 1.5 * 2^23.
+#[inline(always)]
+pub(super) fn whole(number: f32) -> u32 {
+    const SHIFT: f32 = 12_582_912.0;
+    (number + SHIFT).to_bits().wrapping_sub(SHIFT.to_bits())
+}
+
 /// A whole number from 0 to 2^31 as an integer: the low bits after adding 1.5 * 2^52.
 #[inline(always)]
 pub(super) fn integer(whole: f64) -> u32 {

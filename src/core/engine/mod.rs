@@ -29,6 +29,7 @@ mod canvas;
 mod depths;
 mod fill;
 mod foremost;
+mod group;
 mod ink;
 mod lanes;
 mod paint;
@@ -52,12 +53,13 @@ pub use stats::Stats;
 pub use threads::Threads;
 
 use crate::pipeline::Skip;
-use bins::{Bins, NOWHERE};
+use bins::Bins;
 use canvas::{Strip, TILE};
 use fill::Job;
 use state::Rules;
 use tile::Tile;
 use way::{Painted, Plain, Way};
+use wide::f32x4;
 
 #[cfg(doc)]
 use crate::depth::{DepthPlane, DepthState};
@@ -98,21 +100,47 @@ impl Triangles<'_> {
         self.len() == 0
     }
 
-    /// The vertices of one; not a number if an index is too great.
+    /// The vertices of one, and anything as a fourth number; not numbers if an index is too great.
     #[inline(always)]
-    fn corners(&self, triangle: usize) -> [[f32; 3]; 3] {
+    fn vertices(&self, triangle: usize) -> [f32x4; 3] {
         match self.indices {
-            None => self.positions.as_chunks().0.get(triangle).copied().unwrap_or(NOWHERE),
+            None => {
+                let first = 3 * triangle;
+                [self.vertex(first), self.vertex(first + 1), self.vertex(first + 2)]
+            }
             Some(indices) => match indices.get(triangle) {
-                Some(&[a, b, c]) => [self.vertex(a), self.vertex(b), self.vertex(c)],
-                None => NOWHERE,
+                Some(&[a, b, c]) => {
+                    [self.vertex(a as usize), self.vertex(b as usize), self.vertex(c as usize)]
+                }
+                None => [NOWHERE; 3],
             },
         }
     }
 
     #[inline(always)]
-    fn vertex(&self, index: u32) -> [f32; 3] {
-        self.positions.get(index as usize).copied().unwrap_or(NOWHERE[0])
+    fn corners(&self, triangle: usize) -> [[f32; 3]; 3] {
+        let position = |index: u32| self.positions.get(index as usize).copied().unwrap_or([f32::NAN; 3]);
+        match self.indices {
+            None => self.positions.as_chunks().0.get(triangle).copied().unwrap_or([[f32::NAN; 3]; 3]),
+            Some(indices) => match indices.get(triangle) {
+                Some(&[a, b, c]) => [position(a), position(b), position(c)],
+                None => [[f32::NAN; 3]; 3],
+            },
+        }
+    }
+
+    #[inline(always)]
+    fn vertex(&self, index: usize) -> f32x4 {
+        // Four numbers at once, except of the last vertex.
+        match self.positions.as_flattened().get(3 * index..).and_then(|numbers| numbers.first_chunk()) {
+            Some(numbers) => f32x4::new(*numbers),
+            None => self.last_vertex(index),
+        }
+    }
+
+    #[cold]
+    fn last_vertex(&self, index: usize) -> f32x4 {
+        self.positions.get(index).map_or(NOWHERE, |[x, y, z]| f32x4::new([*x, *y, *z, 0.0]))
     }
 
     #[inline(always)]
@@ -123,6 +151,9 @@ impl Triangles<'_> {
         })
     }
 }
+
+/// A vertex that is not there.
+const NOWHERE: f32x4 = f32x4::new([f32::NAN; 4]);
 
 /// The rasterizer, with the memory it keeps from call to call.
 #[derive(Debug, Default)]
@@ -230,7 +261,8 @@ impl FrameJob<'_> {
                 Some(clear) => tile.clear(clear),
                 None => tile.load(strip, left),
             }
-            W::draw(kit, tile, Job { origin: [left, strip.top], state, rules }, list, stats);
+            let job = Job { origin: [left, strip.top], state, rules };
+            W::draw(kit, tile, job, list, stats);
             W::store(kit, tile, strip, (index, left), clear.as_ref(), stats);
             strip.clean[index] = false;
         }

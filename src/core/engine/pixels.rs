@@ -7,6 +7,7 @@ use super::{
     fill::Subject,
     ink::Ink,
     lanes::{LANES, mask},
+    rows::Exact,
     test::Test,
     tile::Tile,
 };
@@ -21,8 +22,51 @@ use crate::{
 pub(super) struct Place {
     /// Column and row of the first.
     pub(super) at: [usize; 2],
-    /// Which of them the triangle covers, a bit each; others may be set too.
-    pub(super) covered: u32,
+}
+
+/// Which of a row's pixels a triangle covers: all bits or none.
+#[derive(Clone, Copy)]
+pub(super) struct Covered<const N: usize> {
+    /// Surely.
+    pub(super) sure: [u32; N],
+    /// Surely, or it is open.
+    pub(super) maybe: [u32; N],
+}
+
+impl<const N: usize> Covered<N> {
+    /// Those of set bits, the first lowest.
+    #[inline(always)]
+    pub(super) fn bits(bits: u32) -> Self {
+        let mut sure = [0; N];
+        for i in 0..N {
+            sure[i] = mask(bits & (1 << i) != 0);
+        }
+        Self { sure, maybe: sure }
+    }
+
+    /// Whether something is open.
+    #[inline(always)]
+    pub(super) fn is_open(&self) -> bool {
+        let mut open = 0;
+        for i in 0..N {
+            open |= self.sure[i] ^ self.maybe[i];
+        }
+        open != 0
+    }
+
+    /// What is open is decided exactly.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn decided(&self, place: Place, subject: &Subject<'_>, stats: &mut Stats) -> Self {
+        let mut sure = self.sure;
+        let exact = Exact::new((subject.group, subject.lane), &subject.job);
+        for i in 0..N {
+            if self.maybe[i] != sure[i] {
+                sure[i] = mask(exact.covers([place.at[0] + i, place.at[1]], stats));
+            }
+        }
+        Self { sure, maybe: sure }
+    }
 }
 
 /// The same with their depths: what the row begins with, and what each of them adds.
@@ -33,11 +77,6 @@ pub(super) struct Pixels<'a, const N: usize> {
 }
 
 impl Place {
-    /// Those of `count` pixels that are covered.
-    fn covered(self, count: usize) -> impl Iterator<Item = usize> {
-        (0..count).filter(move |i| self.covered >> i & 1 == 1)
-    }
-
     /// The depth of one of them, a little too near and too far.
     #[inline(always)]
     pub(super) fn interval(&self, i: usize, subject: &Subject<'_>) -> [f64; 2] {
@@ -69,31 +108,32 @@ impl Tile {
     pub(super) fn row_of_pixels<T: Test, I: Ink, const N: usize>(
         &mut self,
         (test, ink): (T, &mut I),
-        pixels: &Pixels<'_, N>,
+        (pixels, covered): (&Pixels<'_, N>, Covered<N>),
         subject: &Subject<'_>,
         stats: &mut Stats,
     ) {
         // A copy: what is named nowhere else need not be in memory.
         let place = pixels.place;
         if T::STENCIL {
-            self.by_stencil::<T, I, N>((test, ink), place, subject, stats);
+            self.by_stencil::<T, I, N>((test, ink), (place, covered), subject, stats);
             return;
         }
         let (depths, colors) = self.row(place.at[0], place.at[1]);
         let (stored, painted) = (*depths, *colors);
         let [low, high] = test.row(pixels, subject);
         let color = subject.group.colors[subject.lane % LANES];
-        let (mut covered, mut drawn) = ([0; N], [0; N]);
+        let Covered { sure, maybe } = covered;
+        let mut drawn = [0; N];
         for i in 0..N {
-            covered[i] = mask(place.covered & (1 << i) != 0);
-            drawn[i] = covered[i] & test.passes([low[i], stored[i]], [color, painted[i]]);
+            drawn[i] = maybe[i] & test.passes([low[i], stored[i]], [color, painted[i]]);
         }
         let mut doubt = 0;
         for i in 0..N {
-            doubt |= (low[i].to_bits() ^ high[i].to_bits()) & test.matters(covered[i], drawn[i]);
+            let depth = (low[i].to_bits() ^ high[i].to_bits()) & test.matters(maybe[i], drawn[i]);
+            doubt |= depth | (sure[i] ^ maybe[i]) & drawn[i];
         }
         if doubt != 0 {
-            self.in_doubt::<T, I, N>((test, ink), place, subject, stats);
+            self.in_doubt::<T, I, N>((test, ink), (place, covered), subject, stats);
             return;
         }
         let mut new = [0.0; N];
@@ -107,23 +147,24 @@ impl Tile {
             stats.passed += u64::from(drawn.iter().map(|drawn| drawn & 1).sum::<u32>());
         }
         let pixel = [0, 1].map(|axis| subject.job.origin[axis] + place.at[axis] as u32);
-        *colors = ink.row(color, pixel, [&covered, &drawn], painted, stats);
+        *colors = ink.row(color, pixel, [&maybe, &drawn], painted, stats);
         if I::TOUCHES {
             self.touch(place.at, (0..N).map(|i| u64::from(drawn[i] & 1) << i).sum());
         }
     }
 
-    /// Where an interval holds two depths: pixel by pixel.
+    /// Where it is open whether a pixel is covered, or an interval holds two depths: pixel by pixel.
     #[cold]
     #[inline(never)]
     fn in_doubt<T: Test, I: Ink, const N: usize>(
         &mut self,
         (test, ink): (T, &mut I),
-        place: Place,
+        (place, covered): (Place, Covered<N>),
         subject: &Subject<'_>,
         stats: &mut Stats,
     ) {
-        for i in place.covered(N) {
+        let covered = if covered.is_open() { covered.decided(place, subject, stats) } else { covered };
+        for i in (0..N).filter(|&i| covered.sure[i] != 0) {
             let passes = self.test(test, place, i, subject, stats);
             self.color(ink, [place.at[0] + i, place.at[1]], passes, subject, stats);
         }
@@ -134,12 +175,13 @@ impl Tile {
     fn by_stencil<T: Test, I: Ink, const N: usize>(
         &mut self,
         (test, ink): (T, &mut I),
-        place: Place,
+        (place, covered): (Place, Covered<N>),
         subject: &Subject<'_>,
         stats: &mut Stats,
     ) {
         let state = subject.job.state.stencil.unwrap_or_default();
-        for i in place.covered(N) {
+        let covered = if covered.is_open() { covered.decided(place, subject, stats) } else { covered };
+        for i in (0..N).filter(|&i| covered.sure[i] != 0) {
             let [x, y] = [place.at[0] + i, place.at[1]];
             let stencil = *self.pixel(x, y).stencil;
             let outcome = if !state.passes(stencil) {

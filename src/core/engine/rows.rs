@@ -3,9 +3,9 @@
 
 use super::{
     Stats,
-    bins::Group,
     canvas::TILE,
     fill::Job,
+    group::Group,
     lanes::{LANES, Wide, greatest, integer, least, mask},
     setup::Setup,
 };
@@ -134,7 +134,7 @@ impl Rows {
 
 /// The first column at or behind a coordinate, within the tile or one past it.
 #[inline(always)]
-pub(super) fn column(at: &Wide) -> [u32; LANES] {
+fn column(at: &Wide) -> [u32; LANES] {
     let mut columns = [0; LANES];
     for i in 0..LANES {
         columns[i] = integer(least(greatest(at[i], 0.0), WIDTH).ceil());
@@ -176,9 +176,7 @@ impl Exact {
 
     /// The columns of one row, from the first to before the last, given those between which each of them lies; 0 and
     /// 0 of an empty row.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn row(&self, row: u32, [left, right]: [[u32; 2]; 2], stats: &mut Stats) -> [u32; 2] {
+    fn row(&self, row: u32, [left, right]: [[u32; 2]; 2], stats: &mut Stats) -> [u32; 2] {
         let Some(Edges(edges)) = &self.edges else { return [0; 2] };
         let (mut begin, mut end) = (left[0], right[1]);
         for edge in edges.iter().filter(|edge| edge.ends[0][1] != edge.ends[1][1]) {
@@ -191,18 +189,30 @@ impl Exact {
         if begin < end { [begin, end] } else { [0; 2] }
     }
 
+    /// Whether a pixel of the tile is covered.
+    pub(super) fn covers(&self, [column, row]: [usize; 2], stats: &mut Stats) -> bool {
+        self.covers_centre([(self.origin[0] as usize + column) as f32 + 0.5, self.y(row as u32)], stats)
+    }
+
     /// Whether the pixel to the left of the tile is covered too, if the first one in it is.
     pub(super) fn covers_left(&self, row: u32, stats: &mut Stats) -> bool {
-        let Some(Edges(edges)) = &self.edges else { return false };
-        let centre = [self.origin[0] as f32 - 0.5, (self.origin[1] + row) as f32 + 0.5];
+        self.covers_centre([self.origin[0] as f32 - 0.5, self.y(row)], stats)
+    }
+
+    fn covers_centre(&self, centre: [f32; 2], stats: &mut Stats) -> bool {
+        let Some(edges) = &self.edges else { return false };
         stats.exact_signs += 1;
-        edges.iter().all(|edge| edge.draws(edge.side(centre, &mut Tally::default())))
+        edges.cover(centre, &mut Tally::default())
+    }
+
+    fn y(&self, row: u32) -> f32 {
+        (self.origin[1] + row) as f32 + 0.5
     }
 
     /// The first column of a tile's row from which on an edge draws (a left one) or no longer draws, as far as
     /// it lies within a range.
     fn end(&self, edge: &Edge, row: u32, [mut low, mut high]: [u32; 2], stats: &mut Stats) -> u32 {
-        let y = (self.origin[1] + row) as f32 + 0.5;
+        let y = self.y(row);
         while low < high {
             let middle = low + (high - low) / 2;
             let x = (self.origin[0] + middle) as f32 + 0.5;

@@ -9,10 +9,10 @@
 
 use super::{
     Stats,
-    bins::Group,
     canvas::TILE,
-    lanes::{LANES, Wide, greatest, integer, least},
-    small::SIDE,
+    group::Group,
+    lanes::{LANES, Wide, greatest, larger, least, lesser, whole},
+    small::Small,
     state::Rules,
     tile::BLOCK,
 };
@@ -74,18 +74,18 @@ pub(super) struct Setup {
     pub(super) slack: Wide,
     /// The least and the greatest depth of the vertices.
     pub(super) range: [Wide; 2],
-    /// No pixel of these rows and columns is nearer.
-    pub(super) nearest: Wide,
     /// Which of them lie behind all pixels of the tile, if they are counted nevertheless.
     pub(super) behind: [bool; LANES],
+    /// Which way each triangle turns: 1, -1, or 0 if it has no area.
+    pub(super) turns: Wide,
 }
 
 impl Setup {
     /// Up to [`LANES`] triangles seen from the tile whose first pixel is `origin`, and of which no pixel is
-    /// farther than `farthest`.
+    /// farther than `farthest`. What small ones need goes to `small`; only if there are others, crossings are found.
     #[inline(always)]
     pub(super) fn new(
-        group: &Group,
+        (group, small): (&Group, &mut Small),
         (origin, farthest): ([u32; 2], f32),
         rules: &Rules,
         stats: &mut Stats,
@@ -109,16 +109,20 @@ impl Setup {
             anchor: [0.0; LANES],
             slack: [0.0; LANES],
             range: [[0.0; LANES]; 2],
-            nearest: [0.0; LANES],
             behind: [false; LANES],
+            turns: [0.0; LANES],
         };
-        let turns = setup.plane(&vertices, group, shift, stats);
-        setup.bounds(&vertices, shift, &turns, rules);
-        for edge in 0..3 {
-            setup.edge(edge, [&vertices[edge], &vertices[(edge + 1) % 3]], shift, &turns);
-        }
-        if rules.tile && (0..LANES).any(|i| setup.is_large(i)) {
-            setup.reject(stats);
+        setup.plane(&vertices, group, shift, stats);
+        setup.bounds(group, origin, rules);
+        small.set_up(&setup, group, origin);
+        // Small ones are found beside the tile as soon.
+        if small.fits.iter().any(|fits| !fits) {
+            for edge in 0..3 {
+                setup.edge(edge, [&vertices[edge], &vertices[(edge + 1) % 3]], shift);
+            }
+            if rules.tile {
+                setup.reject(stats);
+            }
         }
         if rules.hierarchical_z {
             setup.hide(farthest, rules, stats);
@@ -126,7 +130,7 @@ impl Setup {
         setup
     }
 
-    /// The plane of depths, and which way each triangle turns: 1, -1, or 0 if it has no area.
+    /// The plane of depths, and which way each triangle turns.
     ///
     /// With `l` and `r` the products of rounded differences, a determinant `l - r` is off by at most
     /// `4u (|l| + |r|)`. A slope is a quotient of two; while the area is known within a half, that of its
@@ -139,14 +143,7 @@ impl Setup {
     ///
     /// [`Across`]: super::depths::Across
     #[inline(always)]
-    fn plane(
-        &mut self,
-        [a, b, c]: &[[Wide; 3]; 3],
-        group: &Group,
-        shift: [f64; 3],
-        stats: &mut Stats,
-    ) -> Wide {
-        let mut turns = [0.0; LANES];
+    fn plane(&mut self, [a, b, c]: &[[Wide; 3]; 3], group: &Group, shift: [f64; 3], stats: &mut Stats) {
         let mut doubt = [false; LANES];
         for i in 0..LANES {
             let (ax, ay, az) = (a[0][i], a[1][i], a[2][i]);
@@ -157,7 +154,7 @@ impl Setup {
             let size = l.abs() + r.abs();
             doubt[i] = (area.abs() <= ORIENT2D_FILTER * size) & (size > 0.0);
             let turn = if area > 0.0 { 1.0 } else { -1.0 };
-            turns[i] = if size > 0.0 { turn } else { 0.0 };
+            self.turns[i] = if size > 0.0 { turn } else { 0.0 };
             let inverse = 1.0 / area;
             let (l, r) = (bz * cy, by * cz);
             let (dx, size_x) = ((l - r) * inverse, l.abs() + r.abs());
@@ -190,35 +187,40 @@ impl Setup {
             self.slack[i] = self.error[i] + SLACK * power;
         }
         if doubt.iter().any(|&doubt| doubt) {
-            turn_exactly(&mut turns, &doubt, group, stats);
+            turn_exactly(&mut self.turns, &doubt, group, stats);
         }
-        turns
     }
 
     /// Rows and columns of the centres in the triangle's box, as far as they lie in the tile.
     ///
     /// Rows through the highest or lowest vertex count only where a horizontal edge there is drawn: above all
     /// others no pixel lies between a left and a right edge, unless both draw their ties.
+    ///
+    /// In binary32: what is subtracted rounds only where the result lies before the tile, and never across an integer.
     #[inline(always)]
-    fn bounds(&mut self, [a, b, c]: &[[Wide; 3]; 3], shift: [f64; 3], turns: &Wide, rules: &Rules) {
+    fn bounds(&mut self, group: &Group, origin: [u32; 2], rules: &Rules) {
+        const LAST: f32 = (TILE - 1) as f32;
+        let [x, y] = origin.map(|at| at as f32 + 0.5);
+        let [[ax, ay, _], [bx, by, _], [cx, cy, _]] = &group.corners;
         for i in 0..LANES {
-            let [ax, bx, cx] = [a[0][i] - shift[0], b[0][i] - shift[0], c[0][i] - shift[0]];
-            let first = least(least(ax, bx), cx).ceil();
-            let last = greatest(greatest(ax, bx), cx).floor();
-            self.columns[0][i] = integer(least(greatest(first, 0.0), END));
-            self.columns[1][i] = integer(least(greatest(last, 0.0), END)) + 1;
-            let [ay, by, cy] = [a[1][i] - shift[1], b[1][i] - shift[1], c[1][i] - shift[1]];
-            let (top, bottom) = (least(least(ay, by), cy), greatest(greatest(ay, by), cy));
+            let first = (lesser(lesser(ax[i], bx[i]), cx[i]) - x).ceil();
+            let last = (larger(larger(ax[i], bx[i]), cx[i]) - x).floor();
+            self.columns[0][i] = whole(lesser(larger(first, 0.0), LAST));
+            self.columns[1][i] = whole(lesser(larger(last, 0.0), LAST)) + 1;
+            let [ay, by, cy] = [ay[i], by[i], cy[i]];
+            let (highest, lowest) = (lesser(lesser(ay, by), cy), larger(larger(ay, by), cy));
+            let (top, bottom) = (highest - y, lowest - y);
             let (first, last) = (top.ceil(), bottom.floor());
             // How many vertices are as high: two make a horizontal edge.
-            let count = |at: f64| f64::from(at == ay) + f64::from(at == by) + f64::from(at == cy);
-            let closed = count(top) + rules.first_row > 2.5;
-            let first = if first == top && !closed { first + 1.0 } else { first };
-            let closed = count(bottom) + rules.last_row > 2.5;
-            let last = if last == bottom && !closed { last - 1.0 } else { last };
-            let end = if turns[i] == 0.0 { 0.0 } else { last + 1.0 };
-            self.rows[0][i] = integer(least(greatest(first, 0.0), END + 1.0));
-            self.rows[1][i] = integer(least(greatest(end, 0.0), END + 1.0));
+            let one = |equal: bool| if equal { 1.0_f32 } else { 0.0 };
+            let count = |at: f32| one(at == ay) + one(at == by) + one(at == cy);
+            let closed = count(highest) + rules.first_row > 2.5;
+            let first = if (first == top) & !closed { first + 1.0 } else { first };
+            let closed = count(lowest) + rules.last_row > 2.5;
+            let last = if (last == bottom) & !closed { last - 1.0 } else { last };
+            let end = if self.turns[i] as f32 == 0.0 { 0.0 } else { last + 1.0 };
+            self.rows[0][i] = whole(lesser(larger(first, 0.0), LAST + 1.0));
+            self.rows[1][i] = whole(lesser(larger(end, 0.0), LAST + 1.0));
         }
     }
 
@@ -228,7 +230,7 @@ impl Setup {
     /// product by one more; `p` and each of two sums by one: below `7u |slope| (|y| + 64) + 3u |x|`. Twice that, and a
     /// little for adding it to a column of the tile, is how far to the right a crossing may lie of where it is put.
     #[inline(always)]
-    fn edge(&mut self, edge: usize, [p, q]: [&[Wide; 3]; 2], shift: [f64; 3], turns: &Wide) {
+    fn edge(&mut self, edge: usize, [p, q]: [&[Wide; 3]; 2], shift: [f64; 3]) {
         const TIE: f64 = 256.0 * U;
         let crossings = &mut self.edges[edge];
         for i in 0..LANES {
@@ -238,7 +240,7 @@ impl Setup {
             let slope = (q[0][i] - p[0][i]) / if level { 1.0 } else { height };
             let error = 8.0 * U * (slope.abs() * (y.abs() + 64.0) + x.abs());
             // Turned positively, edges that go towards smaller y have the inside to their right.
-            let uphill = height * turns[i];
+            let uphill = height * self.turns[i];
             let left = if uphill < 0.0 { 0.0 } else { f64::NEG_INFINITY };
             let right = if uphill > 0.0 { 0.0 } else { f64::INFINITY };
             crossings.y[i] = y;
@@ -247,14 +249,6 @@ impl Setup {
             crossings.right[i] = x - error + right;
             self.doubt[i] = greatest(self.doubt[i], 2.001 * error + TIE);
         }
-    }
-
-    /// Whether a triangle has more rows or columns than [`SIDE`]: others are found beside the tile as soon.
-    #[inline(always)]
-    fn is_large(&self, i: usize) -> bool {
-        let [height, width] =
-            [&self.rows, &self.columns].map(|[first, end]| end[i].wrapping_sub(first[i]) as i32);
-        (height > SIDE as i32) | (width > SIDE as i32)
     }
 
     /// Empties the rows of triangles that lie beside the tile: one edge keeps out its nearest corner.
@@ -283,21 +277,38 @@ impl Setup {
     #[inline(always)]
     fn hide(&mut self, farthest: f32, rules: &Rules, stats: &mut Stats) {
         let farthest = f64::from(farthest);
+        let mut any = 0;
         for i in 0..LANES {
-            let [left, right] = [f64::from(self.columns[0][i]), f64::from(self.columns[1][i]) - 1.0];
-            let [top, bottom] = [f64::from(self.rows[0][i]), f64::from(self.rows[1][i]) - 1.0];
-            let (dx, dy) = (self.dz_dx[i], self.dz_dy[i]);
-            let near =
-                self.depth[i] + least(dy * top, dy * bottom) + least(dx * left, dx * right) - self.error[i];
-            self.nearest[i] = greatest(near, self.range[0][i]);
+            any |= u32::from(self.range[1][i] >= farthest);
+        }
+        if any == 0 {
+            return;
         }
         for i in 0..LANES {
-            let hidden = u32::from(self.nearest[i] >= farthest);
+            let hidden = u32::from(self.nearest(i) >= farthest);
             let any = u32::from(self.rows[0][i] < self.rows[1][i]);
             stats.behind += u64::from(hidden & any);
             self.behind[i] = hidden != 0;
             self.rows[1][i] *= 1 - (hidden & u32::from(!rules.counts));
         }
+    }
+
+    /// Whether nothing of the triangle in a lane can be covered.
+    #[inline(always)]
+    pub(super) fn is_empty(&self, lane: usize) -> bool {
+        self.rows[0][lane] >= self.rows[1][lane]
+    }
+
+    /// No pixel of the rows and columns of the triangle in a lane is nearer.
+    #[inline(always)]
+    pub(super) fn nearest(&self, i: usize) -> f64 {
+        let [left, right] =
+            [f64::from(self.columns[0][i] as i32), f64::from(self.columns[1][i] as i32) - 1.0];
+        let [top, bottom] = [f64::from(self.rows[0][i] as i32), f64::from(self.rows[1][i] as i32) - 1.0];
+        let (dx, dy) = (self.dz_dx[i], self.dz_dy[i]);
+        let near =
+            self.depth[i] + least(dy * top, dy * bottom) + least(dx * left, dx * right) - self.error[i];
+        greatest(near, self.range[0][i])
     }
 }
 

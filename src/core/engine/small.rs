@@ -1,191 +1,310 @@
-//! Small triangles: what a row of each covers is found for a few triangles at once, and a row of pixels is tested at
-//! once for each.
+//! Small triangles: the half-planes of the edges of a few at once, in binary32; then piece by piece, eight pixels of a
+//! row at once.
 //!
-//! *Source:* Giesen, Optimizing Software Occlusion Culling, 2013 (small triangles pay for their set-up).
+//! *Source:* Pineda, A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; Higham, Accuracy and Stability of
+//! Numerical Algorithms, 2nd ed. 2002, section 3.1 (the error). Deviation: what the error leaves open is decided
+//! exactly.
 
 use super::{
     Stats,
-    bins::Group,
     canvas::TILE,
     depths::{Across, Starts},
-    fill::{Job, Subject},
+    fill::Subject,
+    group::Group,
     ink::Ink,
-    lanes::{LANES, Wide, greatest, least, mask},
-    pixels::{Pixels, Place},
-    rows::{Exact, column},
+    lanes::{LANES, Wide, lesser, mask},
+    pixels::{Covered, Pixels, Place},
+    rows::Exact,
     setup::Setup,
     test::Test,
     tile::{BLOCK, Tile},
 };
 
 /// Most rows and columns of a small triangle.
-pub(super) const SIDE: usize = BLOCK;
+const SIDE: usize = BLOCK;
+
+/// Pixels of a piece of a row; a row has at most two.
+const PIECE: usize = 8;
+const PIECES: usize = SIDE / PIECE;
 
 /// Of so many rows and more it is asked whether they are hidden.
 const TALL: usize = 6;
 
-/// What is covered of the rows of a few small triangles.
-pub(super) struct SmallRows {
-    /// A bit for each column, from the first one that is looked at.
-    covered: [[u32; LANES]; SIDE],
-    /// What their depths begin with.
-    starts: [Starts; SIDE],
-    /// The first of the columns that are looked at, and how many of them: 8 or 16.
+/// The unit roundoff of binary32.
+const U: f32 = f32::EPSILON / 2.0;
+
+/// Half-planes whose error is at least this are not looked at in binary32.
+const BLURRED: f32 = 1e20;
+
+/// One binary32 number a lane.
+type Narrow = [f32; LANES];
+
+/// A few triangles of which some are small.
+pub(super) struct Small {
+    /// Which are.
+    pub(super) fits: [bool; LANES],
+    /// The first of the columns that are looked at, and into how many pieces they are cut.
     first: [u32; LANES],
-    count: [u32; LANES],
-    /// Which triangles are small.
-    pub(super) small: [bool; LANES],
+    pieces: [u32; LANES],
+    /// The half-planes of the edges, positive inside, in square pixels: what they grow by from column to column, what
+    /// they are where each row of each piece begins, and how far any of them is off at most.
+    right: [Narrow; 3],
+    begin: [[[Narrow; 3]; SIDE]; PIECES],
+    error: Narrow,
+    /// The depths there.
+    starts: [[Starts; SIDE]; PIECES],
+    /// What is to be drawn: piece, row, lane, from the highest bits to the lowest.
+    todo: [u16; LANES * PIECES * SIDE + SIDE],
+    count: usize,
+    pens: [Pen; LANES],
 }
 
-impl SmallRows {
-    /// Of the triangles of a set-up. `counts`: whether pixels and spans are counted.
-    #[inline(always)]
-    pub(super) fn new(setup: &Setup, group: &Group, job: &Job<'_>, counts: bool, stats: &mut Stats) -> Self {
-        let mut rows = Self {
-            covered: [[0; LANES]; SIDE],
-            starts: [Starts::NOTHING; SIDE],
+/// What all pieces of a triangle share.
+#[derive(Clone, Copy)]
+struct Pen {
+    /// What each column adds to the half-planes and to the depth.
+    right: [[f32; PIECE]; 3],
+    across: Across<PIECE>,
+    /// Whether it is only counted.
+    hidden: bool,
+}
+
+impl Small {
+    /// None.
+    pub(super) fn none() -> Self {
+        let pen = Pen { right: [[0.0; PIECE]; 3], across: Across::NOTHING, hidden: false };
+        Self {
+            fits: [false; LANES],
             first: [0; LANES],
-            count: [0; LANES],
-            small: [false; LANES],
-        };
-        let mut x = [0.0; LANES];
-        let (mut heights, mut highest) = ([0_u32; LANES], 0);
+            pieces: [0; LANES],
+            right: [[0.0; LANES]; 3],
+            begin: [[[[0.0; LANES]; 3]; SIDE]; PIECES],
+            error: [0.0; LANES],
+            starts: [[Starts::NOTHING; SIDE]; PIECES],
+            todo: [0; LANES * PIECES * SIDE + SIDE],
+            count: 0,
+            pens: [pen; LANES],
+        }
+    }
+
+    /// Takes triangles whose planes, rows and columns are known.
+    ///
+    /// With d a difference of two vertices and p one of a vertex and the first centre, each rounded once, a half-plane is
+    /// `dx (py + row) - dy (px + column)`. No term of it goes through more than nine roundings, so it is off by at
+    /// most `9u T`, T being the sum of the terms' magnitudes at the last pixel; what is left of 10 covers the
+    /// roundings of the bound itself. Products that underflow are off by less than the least normal number, too.
+    #[inline(always)]
+    pub(super) fn set_up(&mut self, setup: &Setup, group: &Group, origin: [u32; 2]) {
+        const FAR: f32 = SIDE as f32;
+        let Setup { columns, rows, turns, .. } = setup;
+        let (mut x, mut y): (Narrow, Narrow) = ([0.0; LANES], [0.0; LANES]);
+        let mut heights = [0; LANES];
         for i in 0..LANES {
-            let height = setup.rows[1][i].saturating_sub(setup.rows[0][i]);
-            let width = setup.columns[1][i].wrapping_sub(setup.columns[0][i]);
-            rows.small[i] = height <= SIDE as u32 && width <= SIDE as u32;
-            heights[i] = if rows.small[i] { height } else { 0 };
-            highest = highest.max(heights[i]);
-            rows.count[i] = if width <= 8 { 8 } else { 16 };
-            rows.first[i] = setup.columns[0][i].min(TILE as u32 - rows.count[i]);
-            x[i] = f64::from(rows.first[i]);
+            heights[i] = rows[1][i].wrapping_sub(rows[0][i]) as i32;
+            let width = columns[1][i].wrapping_sub(columns[0][i]) as i32;
+            self.fits[i] = (heights[i] <= SIDE as i32) & (width <= SIDE as i32);
+            self.pieces[i] = if width <= PIECE as i32 { 1 } else { 2 };
+            let last = TILE as u32 - self.pieces[i] * PIECE as u32;
+            self.first[i] = if columns[0][i] < last { columns[0][i] } else { last };
+            x[i] = (origin[0] + self.first[i]) as i32 as f32 + 0.5;
+            y[i] = (origin[1] + rows[0][i]) as i32 as f32 + 0.5;
         }
-        let asks_left = counts && job.origin[0] > 0;
-        let mut edges: [Option<Exact>; LANES] = [const { None }; LANES];
-        let mut exact = |i: usize| *edges[i].get_or_insert_with(|| Exact::new((group, i), job));
-        for row in 0..SIDE.min(highest as usize) {
-            let mut left = [[f64::NEG_INFINITY; LANES]; 2];
-            let mut right = [[f64::INFINITY; LANES]; 2];
-            let mut y: Wide = [0.0; LANES];
+        let (mut at, mut down) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
+        let mut terms = [0.0; LANES];
+        for edge in 0..3 {
+            let [p, q] = [&group.corners[edge], &group.corners[(edge + 1) % 3]];
             for i in 0..LANES {
-                y[i] = f64::from(setup.rows[0][i] + row as u32);
-            }
-            rows.starts[row] = setup.starts_of_all(&x, &y);
-            for crossings in &setup.edges {
-                for i in 0..LANES {
-                    let along = (y[i] - crossings.y[i]) * crossings.slope[i];
-                    left[0][i] = greatest(left[0][i], along + crossings.left[i]);
-                    right[0][i] = least(right[0][i], along + crossings.right[i]);
-                }
-            }
-            for i in 0..LANES {
-                left[1][i] = left[0][i] + setup.doubt[i];
-                right[1][i] = right[0][i] + setup.doubt[i];
-            }
-            let [left_low, left_high] = [column(&left[0]), column(&left[1])];
-            let [right_low, right_high] = [column(&right[0]), column(&right[1])];
-            let (mut begin, mut end) = ([0; LANES], [0; LANES]);
-            let mut doubt = 0;
-            for i in 0..LANES {
-                let asked = mask((row as u32) < heights[i]);
-                let differ = (left_low[i] ^ left_high[i]) | (right_low[i] ^ right_high[i]);
-                let some = asked & mask(left_high[i] < right_high[i]);
-                doubt |= differ & asked;
-                begin[i] = left_high[i] & some;
-                end[i] = right_high[i] & some;
-            }
-            if doubt != 0 {
-                for i in 0..LANES {
-                    let sides = [[left_low[i], left_high[i]], [right_low[i], right_high[i]]];
-                    if (row as u32) < heights[i] && sides.iter().any(|[low, high]| low != high) {
-                        [begin[i], end[i]] = exact(i).row(setup.rows[0][i] + row as u32, sides, stats);
-                    }
-                }
-            }
-            for i in 0..LANES {
-                let first = rows.first[i];
-                let from = |column: u32| 1_u32.wrapping_shl(column.wrapping_sub(first));
-                rows.covered[row][i] = from(end[i]).wrapping_sub(from(begin[i]));
-            }
-            let mut continued = 0;
-            if asks_left {
-                for i in 0..LANES {
-                    if begin[i] == 0 && end[i] > 0 && left[0][i] <= -1.0 {
-                        let y = setup.rows[0][i] + row as u32;
-                        let goes_on = left[1][i] <= -1.0 || exact(i).covers_left(y, stats);
-                        continued += u64::from(goes_on);
-                    }
-                }
-            }
-            if counts {
-                let (mut pixels, mut spans) = (0, 0);
-                for i in 0..LANES {
-                    pixels += end[i] - begin[i];
-                    spans += mask(end[i] > 0) & 1;
-                }
-                stats.fragments += u64::from(pixels);
-                stats.spans += u64::from(spans) - continued;
+                let (px, py) = (x[i] - p[0][i], y[i] - p[1][i]);
+                let turn = turns[i] as f32;
+                let (dx, dy) = ((q[0][i] - p[0][i]) * turn, (q[1][i] - p[1][i]) * turn);
+                at[edge][i] = dx * py - dy * px;
+                self.right[edge][i] = -dy;
+                down[edge][i] = dx;
+                let sum = dx.abs() * (py.abs() + FAR) + dy.abs() * (px.abs() + FAR);
+                terms[i] = if sum > terms[i] { sum } else { terms[i] };
             }
         }
-        rows
+        let (mut highest, mut pieces) = (0, 1);
+        for i in 0..LANES {
+            self.error[i] = 10.0 * U * terms[i] + f32::MIN_POSITIVE;
+            // What is not a number is less than nothing.
+            self.fits[i] &= self.error[i] < BLURRED;
+            highest = highest.max(if self.fits[i] { heights[i] } else { 0 });
+            pieces = pieces.max(self.pieces[i]);
+        }
+        let (mut x, mut y): (Wide, Wide) = ([0.0; LANES], [0.0; LANES]);
+        for piece in 0..PIECES.min(pieces as usize) {
+            for row in 0..SIDE.min(highest as usize) {
+                for edge in 0..3 {
+                    for i in 0..LANES {
+                        let begin = at[edge][i] + down[edge][i] * row as f32;
+                        self.begin[piece][row][edge][i] =
+                            begin + self.right[edge][i] * (piece * PIECE) as f32;
+                    }
+                }
+                for i in 0..LANES {
+                    x[i] = f64::from((self.first[i] + (piece * PIECE) as u32) as i32);
+                    y[i] = f64::from((rows[0][i] + row as u32) as i32);
+                }
+                self.starts[piece][row] = setup.starts_of_all(&x, &y);
+            }
+        }
+    }
+
+    /// Notes all pieces of a triangle.
+    #[inline(always)]
+    fn note(&mut self, setup: &Setup, lane: usize, hidden: bool) {
+        let lane = lane % LANES;
+        let pen = &mut self.pens[lane];
+        for edge in 0..3 {
+            for i in 0..PIECE {
+                pen.right[edge][i] = self.right[edge][lane] * i as f32;
+            }
+        }
+        pen.across = setup.across(lane);
+        pen.hidden = hidden;
+        let height = (setup.rows[1][lane] - setup.rows[0][lane]) as usize;
+        for piece in 0..self.pieces[lane] as usize {
+            // All that there could be, and as many counted as there are: no branch has to be guessed.
+            if let Some(todo) = self.todo[self.count..].first_chunk_mut::<SIDE>() {
+                for row in 0..SIDE {
+                    todo[row] = ((piece * SIDE + row) * LANES + lane) as u16;
+                }
+            }
+            self.count += height;
+        }
+    }
+
+    /// What is covered of a piece.
+    #[inline(always)]
+    fn covered(&self, [piece, row, lane]: [usize; 3]) -> Covered<PIECE> {
+        let (begin, right) = (&self.begin[piece][row], &self.pens[lane].right);
+        let error = self.error[lane];
+        let (mut sure, mut maybe) = ([0; PIECE], [0; PIECE]);
+        for i in 0..PIECE {
+            let a = begin[0][lane] + right[0][i];
+            let b = begin[1][lane] + right[1][i];
+            let c = begin[2][lane] + right[2][i];
+            let inside = lesser(lesser(a, b), c);
+            sure[i] = mask(inside > error);
+            maybe[i] = mask(inside >= -error);
+        }
+        Covered { sure, maybe }
+    }
+
+    /// Whether the pixel before the first one of a row is covered, if that is known.
+    #[inline(always)]
+    fn covers_before(&self, row: usize, lane: usize) -> Option<bool> {
+        let begin = &self.begin[0][row];
+        let [a, b, c] = [0, 1, 2].map(|edge| begin[edge][lane] - self.right[edge][lane]);
+        let inside = lesser(lesser(a, b), c);
+        (inside.abs() > self.error[lane]).then_some(inside > 0.0)
     }
 }
 
 impl Tile {
-    /// Draws one of the small triangles.
+    /// Draws one of the small triangles, or notes what is to be drawn.
     #[inline(always)]
     pub(super) fn small_triangle<T: Test, I: Ink>(
         &mut self,
-        (test, ink): (T, &mut I),
-        rows: &SmallRows,
+        small: &mut Small,
         subject: &Subject<'_>,
         stats: &mut Stats,
     ) {
         let Subject { job, setup, lane, .. } = *subject;
-        if I::COUNTS && setup.behind[lane] {
-            return;
-        }
         let [left, right] = [0, 1].map(|end| setup.columns[end][lane] as usize);
         let [first, last] = [0, 1].map(|end| setup.rows[end][lane] as usize);
-        if job.rules.hierarchical_z && last - first >= TALL {
+        let mut hidden = I::COUNTS && setup.behind[lane];
+        if job.rules.hierarchical_z && last - first >= TALL && !hidden {
             let mut tops = (first & !(LANES - 1)..last).step_by(LANES);
-            let near = setup.nearest[lane];
+            let near = setup.nearest(lane);
             if tops.all(|y| self.hides::<T>(left, y, near) && self.hides::<T>(right - 1, y, near)) {
                 stats.hidden += 1;
-                return;
+                hidden = true;
             }
         }
-        if rows.count[lane] == 8 {
-            self.small_rows::<T, I, 8>((test, ink), rows, subject, stats);
-        } else {
-            self.small_rows::<T, I, 16>((test, ink), rows, subject, stats);
+        if hidden && !I::COUNTS {
+            return;
         }
+        if !hidden {
+            stats.blocks += 1;
+            self.age(left, first, right - left);
+        }
+        small.note(setup, lane, hidden);
     }
 
-    /// Its rows, `N` pixels of each.
+    /// Draws what was noted.
     #[inline(always)]
-    fn small_rows<T: Test, I: Ink, const N: usize>(
+    pub(super) fn small_pieces<'s, T: Test, I: Ink>(
         &mut self,
         (test, ink): (T, &mut I),
-        rows: &SmallRows,
+        small: &mut Small,
+        subject: &impl Fn(usize) -> Subject<'s>,
+        stats: &mut Stats,
+    ) {
+        let count = small.count;
+        small.count = 0;
+        for at in 0..count {
+            let todo = small.todo[at] as usize;
+            let [piece, row, lane] = [todo / LANES / SIDE % PIECES, todo / LANES % SIDE, todo % LANES];
+            let x = small.first[lane] as usize + piece * PIECE;
+            let subject = subject(lane);
+            let place = Place { at: [x, subject.setup.rows[0][lane] as usize + row] };
+            let mut covered = small.covered([piece, row, lane]);
+            if I::COUNTS {
+                if covered.is_open() {
+                    covered = covered.decided(place, &subject, stats);
+                }
+                small.count_piece([piece, row, lane], &covered, &subject, stats);
+                if small.pens[lane].hidden {
+                    continue;
+                }
+            }
+            let start = small.starts[piece][row].at(lane);
+            let pixels = Pixels { place, start, across: &small.pens[lane].across };
+            self.row_of_pixels((test, &mut *ink), (&pixels, covered), &subject, stats);
+        }
+    }
+}
+
+impl Small {
+    /// Counts the pixels of a piece, and the span that begins there.
+    #[inline(always)]
+    fn count_piece(
+        &self,
+        [piece, row, lane]: [usize; 3],
+        covered: &Covered<PIECE>,
         subject: &Subject<'_>,
         stats: &mut Stats,
     ) {
-        let Subject { setup, lane, .. } = *subject;
-        let start = rows.first[lane] as usize;
-        let [first, last] = [0, 1].map(|end| setup.rows[end][lane] as usize);
-        let across: Across<N> = setup.across(lane);
-        stats.blocks += 1;
-        for top in (first & !(LANES - 1)..last).step_by(LANES) {
-            self.age(start, top, N);
+        let Subject { job, group, setup, .. } = *subject;
+        let mut pixels = 0;
+        for i in 0..PIECE {
+            pixels += covered.sure[i] & 1;
         }
-        for (row, y) in (first..last).enumerate() {
-            let place = Place { at: [start, y], covered: rows.covered[row % SIDE][lane] };
-            if place.covered == 0 {
-                continue;
-            }
-            let pixels = Pixels { place, start: rows.starts[row % SIDE].at(lane), across: &across };
-            self.row_of_pixels((test, &mut *ink), &pixels, subject, stats);
+        stats.fragments += u64::from(pixels);
+        let exact = || Exact::new((group, lane), &job);
+        let y = setup.rows[0][lane] as usize + row;
+        let mut goes_on = false;
+        if covered.sure[0] != 0 {
+            let x = self.first[lane] as usize + piece * PIECE;
+            goes_on = match (piece, x, job.origin[0]) {
+                (0, 0, 0) => false,
+                (0, 0, _) => {
+                    self.covers_before(row, lane).unwrap_or_else(|| exact().covers_left(y as u32, stats))
+                }
+                (0, ..) => false,
+                _ => self.covers_last(row, lane).unwrap_or_else(|| exact().covers([x - 1, y], stats)),
+            };
         }
+        stats.spans += u64::from(pixels > 0 && !goes_on);
+    }
+
+    /// Whether the last pixel of the first piece of a row is covered, if that is known.
+    #[inline(always)]
+    fn covers_last(&self, row: usize, lane: usize) -> Option<bool> {
+        let covered = self.covered([0, row, lane]);
+        let last = PIECE - 1;
+        (covered.sure[last] == covered.maybe[last]).then_some(covered.sure[last] != 0)
     }
 }

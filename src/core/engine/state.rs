@@ -98,8 +98,8 @@ pub(super) struct Rules {
     pub(super) raster: raster::Settings,
     /// Whether the first row of a box is drawn if it meets vertices: 0 never, 1 at a horizontal edge, 2 also
     /// at a single vertex. The last row likewise.
-    pub(super) first_row: f64,
-    pub(super) last_row: f64,
+    pub(super) first_row: f32,
+    pub(super) last_row: f32,
     /// The skips.
     pub(super) tile: bool,
     pub(super) hierarchical_z: bool,
@@ -111,7 +111,7 @@ pub(super) struct Rules {
 
 impl Rules {
     pub(super) fn new(state: &State, size: [u32; 2], counts: bool) -> Self {
-        let down = f64::from(state.y_axis == YAxis::Down);
+        let down = if state.y_axis == YAxis::Down { 1.0 } else { 0.0 };
         let [first_row, last_row] = match state.fill_rule {
             FillRule::TopLeft => [down, 1.0 - down],
             FillRule::RightOfPoint => [1.0; 2],

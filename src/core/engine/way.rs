@@ -2,10 +2,10 @@
 
 use super::{
     Clear, PaintOrder, Painter, Stats,
-    bins::Entry,
     canvas::Strip,
     fill::Job,
     foremost::Foremost,
+    group::Entry,
     ink::{Flat, Ink, Numbers, Wet},
     paint::Brushes,
     tile::Tile,

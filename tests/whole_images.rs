@@ -3,9 +3,10 @@
 use crate::{pipeline::random_scene, support::Random};
 use rasterscope_core::{
     cull::CullMode,
+    depth::DepthFormat,
     engine::{Canvas, Clear, Colors, Engine, Lanes, State, Stencil, Threads, Triangles},
     labs::Stage,
-    pipeline::{Frame, Pipeline, Rasterizer, Reason, Skip, Skips},
+    pipeline::{Frame, Picture, Pipeline, Rasterizer, Reason, Skip, Skips},
     raster::Algorithm,
     scene::{Draw, Geometry, Mesh, PRESETS, Scene, model},
     transform::{Camera, Projection},
@@ -24,6 +25,7 @@ fn check(name: &str, scene: &Scene, skips: Skips) {
     let each = drawn(scene, Rasterizer::Each(Algorithm::Scanline), &skips);
     let whole = drawn(scene, Rasterizer::Engine, &skips);
     assert!(whole.same_image(&each), "{name}, {skips:?}: another image");
+    assert!(Picture::default().draw(scene).same_image(&each), "{name}: another picture");
     for stage in Stage::ALL {
         assert_eq!(whole.stats.stage(stage), each.stats.stage(stage), "{name}, {skips:?}, {stage:?}");
     }
@@ -108,6 +110,27 @@ fn colours_that_are_hard_to_round_are_drawn_alike() {
     )
     .expect("it is right");
     check("between two codes", &scene, Skips::ALL);
+}
+
+/// Scenes of which nothing but the image is made: seen from anywhere, also from inside, cut by any plane.
+#[test]
+fn pictures_are_the_whole_pipelines() {
+    let mut random = Random::new(29);
+    let mut picture = Picture::default();
+    for round in 0..400 {
+        let mut scene = random_scene(&mut random);
+        let size = [60 + random.below(90), 50 + random.below(100)];
+        scene.size = random.pick(&[size, [133, 70]]);
+        scene.depth_format = DepthFormat::F32;
+        scene.samples = 1;
+        for draw in &mut scene.draws {
+            let Draw { name, geometry, transform, cull, front, .. } = draw.clone();
+            *draw = Draw { transform, cull, front, ..Draw::new(name, geometry) };
+        }
+        picture.set_threads(Threads::new(1 + round % 3));
+        let expected = drawn(&scene, Rasterizer::Each(Algorithm::Scanline), &Skips::ALL);
+        assert!(picture.draw(&scene).same_image(&expected), "scene {round}: {}", scene.to_json());
+    }
 }
 
 /// What is drawn next does not depend on what was drawn before, however the two differ.

@@ -3,10 +3,11 @@
 //! *Source:* Molnar, Cox, Ellsworth, Fuchs, A Sorting Classification of Parallel Rendering, 1994 (sort-middle).
 
 use super::{
-    Stats, Triangles,
+    Stats,
     canvas::{TILE, tiles},
     group::{Entry, Group, List},
     lanes::{LANES, larger, lesser, whole},
+    source::Source,
     state::Rules,
 };
 use crate::math::predicates::ORIENT2D_FILTER;
@@ -45,15 +46,9 @@ impl Bins {
     /// Sorts all triangles in. One with a coordinate that is no number, or whose box holds no pixel's centre,
     /// is in no list.
     #[inline(always)]
-    pub(super) fn fill(
-        &mut self,
-        triangles: &Triangles<'_>,
-        size: [u32; 2],
-        rules: &Rules,
-        stats: &mut Stats,
-    ) {
-        for start in (0..triangles.len()).step_by(LANES) {
-            let count = LANES.min(triangles.len() - start);
+    pub(super) fn fill(&mut self, triangles: &impl Source, size: [u32; 2], rules: &Rules, stats: &mut Stats) {
+        for start in (0..triangles.count()).step_by(LANES) {
+            let count = LANES.min(triangles.count() - start);
             let mut group = Group::NOTHING;
             for half in [0, LANES / 2] {
                 let i = start + half;
@@ -61,16 +56,15 @@ impl Bins {
                 let (c, d) = (triangles.vertices(i + 2), triangles.vertices(i + 3));
                 group.put(half, [a, b, c, d]);
             }
-            let boxes = Boxes::new(&group, size);
+            let mut boxes = Boxes::new(&group, size);
+            boxes.leave_out(&triangles.averted(start, &group));
             for i in 0..count {
                 let [left, right, top, bottom] = boxes.pixels.map(|ends| ends[i]);
                 if !boxes.some[i] {
                     stats.culled += 1;
                     continue;
                 }
-                let place = start + i;
-                let color = if rules.counts { place as u32 + 1 } else { triangles.color(place) };
-                let entry = Entry { corners: triangles.corners(place), color: f32::from_bits(color) };
+                let entry = triangles.entry(start + i, rules.counts);
                 self.area += u64::from(right - left + 1) * u64::from(bottom - top + 1);
                 self.count += 1;
                 let [left, right, top, bottom] =
@@ -182,5 +176,12 @@ impl Boxes {
             boxes.some[i] &= nothing[i] == 0.0;
         }
         boxes
+    }
+
+    #[inline(always)]
+    fn leave_out(&mut self, which: &[bool; LANES]) {
+        for i in 0..LANES {
+            self.some[i] &= !which[i];
+        }
     }
 }

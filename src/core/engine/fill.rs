@@ -19,7 +19,6 @@ use super::{
     test::{Any, Codes, First, Masked, Nearer, Test},
     tile::{BLOCK, Tile},
 };
-use std::ops::Range;
 
 /// Triangles of fewer rows than this are drawn without asking what is known of the blocks they lie in.
 const SMALL: u32 = 6;
@@ -49,18 +48,17 @@ pub(super) struct Subject<'a> {
 /// The same, as its pixels need it.
 struct Pen<'a> {
     subject: &'a Subject<'a>,
+    small: &'a Small,
     /// What depth adds at each column of a block.
     across: Across<BLOCK>,
 }
 
-/// Some rows of a band, [`BLOCK`] columns of them.
+/// [`BLOCK`] columns of a band.
 struct Piece<'a> {
     /// First column.
     x: usize,
     /// First row of the band.
     top: usize,
-    /// Which of the band's rows.
-    rows: Range<usize>,
     /// The depths at the first column of the tile in all rows of the band.
     down: &'a Wide,
 }
@@ -76,6 +74,13 @@ impl Tile {
             (None, Some(_)) => self.draw_in_lanes(Masked(any), ink, job, (list, None), stats),
             (Some(codes), None) => self.draw_in_lanes(codes, ink, job, (list, None), stats),
             (Some(codes), Some(_)) => self.draw_in_lanes(Masked(codes), ink, job, (list, None), stats),
+        }
+    }
+
+    /// Draws triangles of a mesh in order.
+    pub(super) fn draw_mesh(&mut self, ink: &mut impl Ink, job: Job<'_>, list: &[Entry], stats: &mut Stats) {
+        if job.state.lowers_depths() {
+            self.draw_in_lanes(Nearer, ink, job, (list, None), stats);
         }
     }
 
@@ -114,6 +119,7 @@ impl Tile {
                     };
                     let farthest = if T::TIES { farthest.next_up() } else { farthest };
                     let setup = &Setup::new((group, small), (job.origin, farthest), job.rules, stats);
+                    ink.set_up(group, setup, small);
                     let mut lane = 0;
                     while lane < LANES {
                         let subject = |lane| Subject { job, group, setup, lane };
@@ -125,7 +131,7 @@ impl Tile {
                         }
                         self.small_pieces((test, &mut *ink), small, &subject, stats);
                         if lane < LANES {
-                            self.triangle((test, &mut *ink), &subject(lane), stats);
+                            self.triangle((test, &mut *ink), (&subject(lane), small), stats);
                             lane += 1;
                         }
                     }
@@ -138,11 +144,11 @@ impl Tile {
     fn triangle<T: Test, I: Ink>(
         &mut self,
         (test, ink): (T, &mut I),
-        subject: &Subject<'_>,
+        (subject, small): (&Subject<'_>, &Small),
         stats: &mut Stats,
     ) {
         let Subject { job, setup, lane, .. } = *subject;
-        let pen = Pen { subject, across: setup.across(lane) };
+        let pen = Pen { subject, small, across: setup.across(lane) };
         let [left, right] = [0, 1].map(|end| setup.columns[end][lane] as usize);
         let narrow = right - left <= BLOCK;
         let [first, last] = [0, 1].map(|end| setup.rows[end][lane]);
@@ -175,14 +181,13 @@ impl Tile {
             if hidden {
                 continue;
             }
-            let in_band = first.max(top) - top..last.min(top + LANES as u32) - top;
-            let (top, in_band) = (top as usize, in_band.start as usize..in_band.end as usize);
+            let top = top as usize;
             let down = &setup.down(lane, top);
             if narrow {
                 stats.blocks += 1;
                 let x = left.min(TILE - BLOCK);
                 self.age(x, top, BLOCK);
-                self.fill((test, &mut *ink), Piece { x, top, rows: in_band, down }, &rows, &pen, stats);
+                self.fill((test, &mut *ink), Piece { x, top, down }, &rows, &pen, stats);
                 continue;
             }
             let [begin, end] =
@@ -200,7 +205,7 @@ impl Tile {
                 }
                 stats.blocks += 1;
                 self.age(x, top, BLOCK);
-                let piece = Piece { x, top, rows: in_band.clone(), down };
+                let piece = Piece { x, top, down };
                 self.fill((test, &mut *ink), piece, &rows, &pen, stats);
             }
         }
@@ -216,13 +221,19 @@ impl Tile {
         pen: &Pen<'_>,
         stats: &mut Stats,
     ) {
-        let Pen { subject, across } = pen;
+        let Pen { subject, across, .. } = pen;
         let starts = subject.setup.starts(subject.lane, piece.x, piece.down);
-        for row in piece.rows.clone() {
-            let row = row % LANES;
+        let mut some = 0;
+        for i in 0..LANES {
+            some |= u32::from(rows.bits[i] >> piece.x & FULL != 0) << i;
+        }
+        while some != 0 {
+            let row = some.trailing_zeros() as usize % LANES;
+            some &= some - 1;
             let at = [piece.x, piece.top + row];
             let pixels = Pixels { place: Place { at }, start: starts.at(row), across };
-            let covered = Covered::bits((rows.bits[row] >> piece.x) as u32);
+            let planes = if I::SHADES { pen.small.planes(subject, at) } else { [[0.0; BLOCK]; 3] };
+            let covered = Covered::bits((rows.bits[row] >> piece.x) as u32, planes);
             self.row_of_pixels((test, &mut *ink), (&pixels, covered), subject, stats);
         }
     }

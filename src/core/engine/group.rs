@@ -87,11 +87,17 @@ pub(super) struct Entry {
     pub(super) corners: [[f32; 3]; 3],
     /// Its colour codes, or its number from 1 if they are painted; the bits of a number, so that it goes where the
     /// others go.
-    pub(super) color: f32,
+    color: f32,
 }
 
 impl Entry {
     const NOTHING: Self = Self { corners: [[0.0; 3]; 3], color: 0.0 };
+
+    /// Of vertices and a colour or a number.
+    #[inline(always)]
+    pub(super) fn new(corners: [[f32; 3]; 3], color: u32) -> Self {
+        Self { corners, color: f32::from_bits(color) }
+    }
 
     /// Each vertex with a number more: what follows it, at last the colour.
     #[inline(always)]

@@ -3,7 +3,10 @@
 
 use super::{
     Stats,
+    group::Group,
     paint::{Brushes, PaintOrder, Painter},
+    setup::Setup,
+    small::Small,
 };
 
 /// Colours the pixels of a row.
@@ -12,6 +15,12 @@ pub(super) trait Ink {
     const COUNTS: bool;
     /// Whether the pixels that are drawn are remembered.
     const TOUCHES: bool;
+    /// Whether the half-planes of the edges are asked for.
+    const SHADES: bool = false;
+
+    /// Prepares for a few triangles.
+    #[inline(always)]
+    fn set_up(&mut self, _group: &Group, _setup: &Setup, _small: &Small) {}
 
     /// What neighbouring pixels hold after a triangle with that colour; `painted` is what they hold. Of each, the
     /// masks say whether it is covered and whether it passes. Unless an ink does otherwise, those that pass hold the
@@ -19,8 +28,7 @@ pub(super) trait Ink {
     #[inline(always)]
     fn row<const N: usize>(
         &mut self,
-        color: u32,
-        _pixel: [u32; 2],
+        Stroke { color, .. }: Stroke<'_, N>,
         [_covered, drawn]: [&[u32; N]; 2],
         painted: [u32; N],
         _stats: &mut Stats,
@@ -31,6 +39,18 @@ pub(super) trait Ink {
         }
         new
     }
+}
+
+/// A part of a row of a triangle.
+#[derive(Clone, Copy)]
+pub(super) struct Stroke<'s, const N: usize> {
+    /// Colour codes, or a number from 1, of the triangle in this lane.
+    pub(super) color: u32,
+    pub(super) lane: usize,
+    /// The first pixel, on the image.
+    pub(super) pixel: [u32; 2],
+    /// The half-planes of the edges at all pixels; not numbers where the exact colour is asked for.
+    pub(super) planes: &'s [[f32; N]; 3],
 }
 
 /// One colour for all pixels of a triangle.
@@ -59,8 +79,7 @@ impl<P: Painter> Ink for Wet<'_, '_, P> {
     #[inline(never)]
     fn row<const N: usize>(
         &mut self,
-        color: u32,
-        [x, y]: [u32; 2],
+        Stroke { color, pixel: [x, y], .. }: Stroke<'_, N>,
         [covered, drawn]: [&[u32; N]; 2],
         mut painted: [u32; N],
         stats: &mut Stats,

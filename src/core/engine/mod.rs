@@ -37,6 +37,8 @@ mod pixels;
 mod rows;
 mod setup;
 mod small;
+mod smooth;
+mod source;
 mod state;
 mod stats;
 mod test;
@@ -48,6 +50,7 @@ pub use canvas::{Canvas, Clear, Stencil};
 pub use lanes::Lanes;
 pub(crate) use lanes::{greatest, least};
 pub use paint::{PaintOrder, Painter};
+pub(crate) use source::{Exact, Mesh};
 pub use state::{DepthStore, State};
 pub use stats::Stats;
 pub use threads::Threads;
@@ -56,10 +59,10 @@ use crate::pipeline::Skip;
 use bins::Bins;
 use canvas::{Strip, TILE};
 use fill::Job;
+use source::Source;
 use state::Rules;
 use tile::Tile;
-use way::{Painted, Plain, Way};
-use wide::f32x4;
+use way::{Meshed, Painted, Plain, Way};
 
 #[cfg(doc)]
 use crate::depth::{DepthPlane, DepthState};
@@ -100,49 +103,6 @@ impl Triangles<'_> {
         self.len() == 0
     }
 
-    /// The vertices of one, and anything as a fourth number; not numbers if an index is too great.
-    #[inline(always)]
-    fn vertices(&self, triangle: usize) -> [f32x4; 3] {
-        match self.indices {
-            None => {
-                let first = 3 * triangle;
-                [self.vertex(first), self.vertex(first + 1), self.vertex(first + 2)]
-            }
-            Some(indices) => match indices.get(triangle) {
-                Some(&[a, b, c]) => {
-                    [self.vertex(a as usize), self.vertex(b as usize), self.vertex(c as usize)]
-                }
-                None => [NOWHERE; 3],
-            },
-        }
-    }
-
-    #[inline(always)]
-    fn corners(&self, triangle: usize) -> [[f32; 3]; 3] {
-        let position = |index: u32| self.positions.get(index as usize).copied().unwrap_or([f32::NAN; 3]);
-        match self.indices {
-            None => self.positions.as_chunks().0.get(triangle).copied().unwrap_or([[f32::NAN; 3]; 3]),
-            Some(indices) => match indices.get(triangle) {
-                Some(&[a, b, c]) => [position(a), position(b), position(c)],
-                None => [[f32::NAN; 3]; 3],
-            },
-        }
-    }
-
-    #[inline(always)]
-    fn vertex(&self, index: usize) -> f32x4 {
-        // Four numbers at once, except of the last vertex.
-        match self.positions.as_flattened().get(3 * index..).and_then(|numbers| numbers.first_chunk()) {
-            Some(numbers) => f32x4::new(*numbers),
-            None => self.last_vertex(index),
-        }
-    }
-
-    #[cold]
-    fn last_vertex(&self, index: usize) -> f32x4 {
-        self.positions.get(index).map_or(NOWHERE, |[x, y, z]| f32x4::new([*x, *y, *z, 0.0]))
-    }
-
     #[inline(always)]
     fn color(&self, triangle: usize) -> u32 {
         u32::from_ne_bytes(match self.colors {
@@ -151,9 +111,6 @@ impl Triangles<'_> {
         })
     }
 }
-
-/// A vertex that is not there.
-const NOWHERE: f32x4 = f32x4::new([f32::NAN; 4]);
 
 /// The rasterizer, with the memory it keeps from call to call.
 #[derive(Debug, Default)]
@@ -187,15 +144,27 @@ impl Engine {
         self.frame(canvas, clear, triangles, state, &Painted(painter))
     }
 
+    /// Draws a mesh with a colour at each vertex. The state must be one in which nothing can happen to a pixel but that
+    /// a lesser depth takes it over; else nothing is drawn.
+    pub(crate) fn draw_mesh<E: Exact>(
+        &mut self,
+        canvas: &mut Canvas,
+        clear: Option<Clear>,
+        mesh: &Mesh<'_, E>,
+        state: &State,
+    ) -> Stats {
+        self.frame(canvas, clear, mesh, state, &Meshed(mesh))
+    }
+
     fn frame<W: Way>(
         &mut self,
         canvas: &mut Canvas,
         clear: Option<Clear>,
-        triangles: &Triangles<'_>,
+        triangles: &impl Source,
         state: &State,
         way: &W,
     ) -> Stats {
-        let mut stats = Stats { triangles: triangles.len() as u64, ..Stats::default() };
+        let mut stats = Stats { triangles: triangles.count() as u64, ..Stats::default() };
         let size = canvas.size;
         let mut rules = Rules::new(state, size, W::COUNTS);
         let Self { bins, tiles } = self;
@@ -210,7 +179,7 @@ impl Engine {
         }
         let frame = FrameJob { bins, clear, state, rules: &rules };
         let strips = canvas.strips();
-        let threads = state.threads.worth(strips.len(), triangles.len());
+        let threads = state.threads.worth(strips.len(), triangles.count());
         if tiles.len() < threads {
             tiles.resize_with(threads, Tile::default);
         }

@@ -5,7 +5,7 @@ use super::{
     Stats,
     depths::{Across, Start},
     fill::Subject,
-    ink::Ink,
+    ink::{Ink, Stroke},
     lanes::{LANES, mask},
     rows::Exact,
     test::Test,
@@ -31,17 +31,19 @@ pub(super) struct Covered<const N: usize> {
     pub(super) sure: [u32; N],
     /// Surely, or it is open.
     pub(super) maybe: [u32; N],
+    /// The half-planes of the edges there.
+    pub(super) planes: [[f32; N]; 3],
 }
 
 impl<const N: usize> Covered<N> {
     /// Those of set bits, the first lowest.
     #[inline(always)]
-    pub(super) fn bits(bits: u32) -> Self {
+    pub(super) fn bits(bits: u32, planes: [[f32; N]; 3]) -> Self {
         let mut sure = [0; N];
         for i in 0..N {
             sure[i] = mask(bits & (1 << i) != 0);
         }
-        Self { sure, maybe: sure }
+        Self { sure, maybe: sure, planes }
     }
 
     /// Whether something is open.
@@ -65,7 +67,7 @@ impl<const N: usize> Covered<N> {
                 sure[i] = mask(exact.covers([place.at[0] + i, place.at[1]], stats));
             }
         }
-        Self { sure, maybe: sure }
+        Self { sure, maybe: sure, planes: self.planes }
     }
 }
 
@@ -122,7 +124,7 @@ impl Tile {
         let (stored, painted) = (*depths, *colors);
         let [low, high] = test.row(pixels, subject);
         let color = subject.group.colors[subject.lane % LANES];
-        let Covered { sure, maybe } = covered;
+        let Covered { sure, maybe, planes } = covered;
         let mut drawn = [0; N];
         for i in 0..N {
             drawn[i] = maybe[i] & test.passes([low[i], stored[i]], [color, painted[i]]);
@@ -147,7 +149,8 @@ impl Tile {
             stats.passed += u64::from(drawn.iter().map(|drawn| drawn & 1).sum::<u32>());
         }
         let pixel = [0, 1].map(|axis| subject.job.origin[axis] + place.at[axis] as u32);
-        *colors = ink.row(color, pixel, [&maybe, &drawn], painted, stats);
+        let stroke = Stroke { color, lane: subject.lane % LANES, pixel, planes: &planes };
+        *colors = ink.row(stroke, [&maybe, &drawn], painted, stats);
         if I::TOUCHES {
             self.touch(place.at, (0..N).map(|i| u64::from(drawn[i] & 1) << i).sum());
         }
@@ -232,7 +235,8 @@ impl Tile {
         let Subject { job, group, lane, .. } = *subject;
         let pixel = [job.origin[0] + x as u32, job.origin[1] + y as u32];
         let color = self.pixel(x, y).color;
-        [*color] = ink.row(group.colors[lane], pixel, [&[u32::MAX], &[mask(passes)]], [*color], stats);
+        let stroke = Stroke { color: group.colors[lane], lane, pixel, planes: &[[f32::NAN]; 3] };
+        [*color] = ink.row(stroke, [&[u32::MAX], &[mask(passes)]], [*color], stats);
         if I::COUNTS {
             stats.passed += u64::from(passes);
         }

@@ -78,6 +78,8 @@ pub(super) struct Setup {
     pub(super) behind: [bool; LANES],
     /// Which way each triangle turns: 1, -1, or 0 if it has no area.
     pub(super) turns: Wide,
+    /// Twice its area, turned positive, in square pixels.
+    pub(super) area: Wide,
 }
 
 impl Setup {
@@ -111,6 +113,7 @@ impl Setup {
             range: [[0.0; LANES]; 2],
             behind: [false; LANES],
             turns: [0.0; LANES],
+            area: [0.0; LANES],
         };
         setup.plane(&vertices, group, shift, stats);
         setup.bounds(group, origin, rules);
@@ -151,6 +154,7 @@ impl Setup {
             let (cx, cy, cz) = (c[0][i] - ax, c[1][i] - ay, c[2][i] - az);
             let (l, r) = (bx * cy, by * cx);
             let area = l - r;
+            self.area[i] = area.abs();
             let size = l.abs() + r.abs();
             doubt[i] = (area.abs() <= ORIENT2D_FILTER * size) & (size > 0.0);
             let turn = if area > 0.0 { 1.0 } else { -1.0 };

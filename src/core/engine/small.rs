@@ -12,7 +12,7 @@ use super::{
     fill::Subject,
     group::Group,
     ink::Ink,
-    lanes::{LANES, Wide, lesser, mask},
+    lanes::{LANES, Wide, larger, lesser, mask},
     pixels::{Covered, Pixels, Place},
     rows::Exact,
     setup::Setup,
@@ -37,7 +37,7 @@ const U: f32 = f32::EPSILON / 2.0;
 const BLURRED: f32 = 1e20;
 
 /// One binary32 number a lane.
-type Narrow = [f32; LANES];
+pub(super) type Narrow = [f32; LANES];
 
 /// A few triangles of which some are small.
 pub(super) struct Small {
@@ -48,9 +48,13 @@ pub(super) struct Small {
     pieces: [u32; LANES],
     /// The half-planes of the edges, positive inside, in square pixels: what they grow by from column to column, what
     /// they are where each row of each piece begins, and how far any of them is off at most.
+    at: [Narrow; 3],
     right: [Narrow; 3],
+    down: [Narrow; 3],
     begin: [[[Narrow; 3]; SIDE]; PIECES],
     error: Narrow,
+    /// Whether something of the second piece may be covered: 1, else 0.
+    some: [[u32; LANES]; SIDE],
     /// The depths there.
     starts: [[Starts; SIDE]; PIECES],
     /// What is to be drawn: piece, row, lane, from the highest bits to the lowest.
@@ -77,9 +81,12 @@ impl Small {
             fits: [false; LANES],
             first: [0; LANES],
             pieces: [0; LANES],
+            at: [[0.0; LANES]; 3],
             right: [[0.0; LANES]; 3],
+            down: [[0.0; LANES]; 3],
             begin: [[[[0.0; LANES]; 3]; SIDE]; PIECES],
             error: [0.0; LANES],
+            some: [[0; LANES]; SIDE],
             starts: [[Starts::NOTHING; SIDE]; PIECES],
             todo: [0; LANES * PIECES * SIDE + SIDE],
             count: 0,
@@ -95,21 +102,20 @@ impl Small {
     /// roundings of the bound itself. Products that underflow are off by less than the least normal number, too.
     #[inline(always)]
     pub(super) fn set_up(&mut self, setup: &Setup, group: &Group, origin: [u32; 2]) {
-        const FAR: f32 = SIDE as f32;
         let Setup { columns, rows, turns, .. } = setup;
         let (mut x, mut y): (Narrow, Narrow) = ([0.0; LANES], [0.0; LANES]);
-        let mut heights = [0; LANES];
+        let (mut heights, mut far) = ([0; LANES], [0.0; LANES]);
         for i in 0..LANES {
             heights[i] = rows[1][i].wrapping_sub(rows[0][i]) as i32;
             let width = columns[1][i].wrapping_sub(columns[0][i]) as i32;
             self.fits[i] = (heights[i] <= SIDE as i32) & (width <= SIDE as i32);
+            far[i] = if self.fits[i] { SIDE as f32 } else { TILE as f32 };
             self.pieces[i] = if width <= PIECE as i32 { 1 } else { 2 };
             let last = TILE as u32 - self.pieces[i] * PIECE as u32;
             self.first[i] = if columns[0][i] < last { columns[0][i] } else { last };
             x[i] = (origin[0] + self.first[i]) as i32 as f32 + 0.5;
             y[i] = (origin[1] + rows[0][i]) as i32 as f32 + 0.5;
         }
-        let (mut at, mut down) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
         let mut terms = [0.0; LANES];
         for edge in 0..3 {
             let [p, q] = [&group.corners[edge], &group.corners[(edge + 1) % 3]];
@@ -117,10 +123,10 @@ impl Small {
                 let (px, py) = (x[i] - p[0][i], y[i] - p[1][i]);
                 let turn = turns[i] as f32;
                 let (dx, dy) = ((q[0][i] - p[0][i]) * turn, (q[1][i] - p[1][i]) * turn);
-                at[edge][i] = dx * py - dy * px;
+                self.at[edge][i] = dx * py - dy * px;
                 self.right[edge][i] = -dy;
-                down[edge][i] = dx;
-                let sum = dx.abs() * (py.abs() + FAR) + dy.abs() * (px.abs() + FAR);
+                self.down[edge][i] = dx;
+                let sum = dx.abs() * (py.abs() + far[i]) + dy.abs() * (px.abs() + far[i]);
                 terms[i] = if sum > terms[i] { sum } else { terms[i] };
             }
         }
@@ -137,16 +143,32 @@ impl Small {
             for row in 0..SIDE.min(highest as usize) {
                 for edge in 0..3 {
                     for i in 0..LANES {
-                        let begin = at[edge][i] + down[edge][i] * row as f32;
+                        let begin = self.at[edge][i] + self.down[edge][i] * row as f32;
                         self.begin[piece][row][edge][i] =
                             begin + self.right[edge][i] * (piece * PIECE) as f32;
                     }
+                }
+                if piece > 0 {
+                    self.find_some(row);
                 }
                 for i in 0..LANES {
                     x[i] = f64::from((self.first[i] + (piece * PIECE) as u32) as i32);
                     y[i] = f64::from((rows[0][i] + row as u32) as i32);
                 }
                 self.starts[piece][row] = setup.starts_of_all(&x, &y);
+            }
+        }
+    }
+
+    /// Finds which triangles may cover something of the second piece of a row.
+    #[inline(always)]
+    fn find_some(&mut self, row: usize) {
+        const LAST: f32 = (PIECE - 1) as f32;
+        self.some[row] = [1; LANES];
+        for edge in 0..3 {
+            for i in 0..LANES {
+                let nearest = self.begin[1][row][edge][i] + larger(self.right[edge][i] * LAST, 0.0);
+                self.some[row][i] &= u32::from(nearest >= -self.error[i]);
             }
         }
     }
@@ -164,14 +186,18 @@ impl Small {
         pen.across = setup.across(lane);
         pen.hidden = hidden;
         let height = (setup.rows[1][lane] - setup.rows[0][lane]) as usize;
-        for piece in 0..self.pieces[lane] as usize {
-            // All that there could be, and as many counted as there are: no branch has to be guessed.
-            if let Some(todo) = self.todo[self.count..].first_chunk_mut::<SIDE>() {
-                for row in 0..SIDE {
-                    todo[row] = ((piece * SIDE + row) * LANES + lane) as u16;
-                }
+        // All that there could be, and as many counted as there are: no branch has to be guessed.
+        if let Some(todo) = self.todo[self.count..].first_chunk_mut::<SIDE>() {
+            for row in 0..SIDE {
+                todo[row] = (row * LANES + lane) as u16;
             }
-            self.count += height;
+        }
+        self.count += height;
+        if self.pieces[lane] > 1 {
+            for row in 0..height.min(SIDE) {
+                self.todo[self.count] = ((SIDE + row) * LANES + lane) as u16;
+                self.count += self.some[row][lane] as usize;
+            }
         }
     }
 
@@ -180,16 +206,41 @@ impl Small {
     fn covered(&self, [piece, row, lane]: [usize; 3]) -> Covered<PIECE> {
         let (begin, right) = (&self.begin[piece][row], &self.pens[lane].right);
         let error = self.error[lane];
+        let mut planes = [[0.0; PIECE]; 3];
         let (mut sure, mut maybe) = ([0; PIECE], [0; PIECE]);
         for i in 0..PIECE {
             let a = begin[0][lane] + right[0][i];
             let b = begin[1][lane] + right[1][i];
             let c = begin[2][lane] + right[2][i];
+            (planes[0][i], planes[1][i], planes[2][i]) = (a, b, c);
             let inside = lesser(lesser(a, b), c);
             sure[i] = mask(inside > error);
             maybe[i] = mask(inside >= -error);
         }
-        Covered { sure, maybe }
+        Covered { sure, maybe, planes }
+    }
+
+    /// The half-planes of any triangle at pixels of a row of the tile.
+    #[inline(always)]
+    pub(super) fn planes<const N: usize>(&self, subject: &Subject<'_>, [x, y]: [usize; 2]) -> [[f32; N]; 3] {
+        let lane = subject.lane;
+        let row = (y as i32 - subject.setup.rows[0][lane] as i32) as f32;
+        let first = x as i32 - self.first[lane] as i32;
+        let mut planes = [[0.0; N]; 3];
+        for edge in 0..3 {
+            let begin = self.at[edge][lane] + self.down[edge][lane] * row;
+            for i in 0..N {
+                planes[edge][i] = begin + self.right[edge][lane] * (first + i as i32) as f32;
+            }
+        }
+        planes
+    }
+
+    /// How far the half-planes of a few triangles are off at most inside them, in square pixels; not finite if that is
+    /// not known.
+    #[inline(always)]
+    pub(super) fn error(&self) -> &Narrow {
+        &self.error
     }
 
     /// Whether the pixel before the first one of a row is covered, if that is known.

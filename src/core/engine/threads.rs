@@ -8,6 +8,13 @@ use super::{Stats, canvas::Strip, tile::Tile};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Threads(usize);
 
+impl Default for Threads {
+    /// One.
+    fn default() -> Self {
+        Self::ONE
+    }
+}
+
 impl Threads {
     /// Only the one that calls.
     pub const ONE: Self = Self(1);

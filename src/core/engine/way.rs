@@ -1,13 +1,14 @@
 //! The two ways in which the triangles of a tile become colours.
 
 use super::{
-    Clear, PaintOrder, Painter, Stats,
+    Clear, Exact, Mesh, PaintOrder, Painter, Stats,
     canvas::Strip,
     fill::Job,
     foremost::Foremost,
     group::Entry,
     ink::{Flat, Ink, Numbers, Wet},
     paint::Brushes,
+    smooth::Smooth,
     tile::Tile,
 };
 
@@ -35,6 +36,9 @@ pub(super) trait Way: Sync {
 
 /// One colour a triangle.
 pub(super) struct Plain;
+
+/// By the colours at the vertices of a mesh.
+pub(super) struct Meshed<'p, E: Exact>(pub(super) &'p Mesh<'p, E>);
 
 /// By a painter.
 pub(super) struct Painted<'p, P: Painter>(pub(super) &'p P);
@@ -78,6 +82,33 @@ impl Way for Plain {
         } else {
             tile.store(strip, left);
         }
+    }
+}
+
+impl<E: Exact> Way for Meshed<'_, E> {
+    const COUNTS: bool = false;
+    type Kit<'k>
+        = Smooth<'k, E>
+    where
+        Self: 'k;
+
+    fn kit(&self) -> Smooth<'_, E> {
+        Smooth::new(self.0)
+    }
+
+    fn draw(smooth: &mut Smooth<'_, E>, tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats) {
+        tile.draw_mesh(smooth, job, list, stats);
+    }
+
+    fn store(
+        _: &mut Smooth<'_, E>,
+        tile: &mut Tile,
+        strip: &mut Strip<'_>,
+        (_, left): (usize, u32),
+        _: Option<&Clear>,
+        _: &mut Stats,
+    ) {
+        tile.store(strip, left);
     }
 }
 

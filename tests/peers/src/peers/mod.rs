@@ -64,5 +64,10 @@ pub fn painters() -> Vec<Maker<Soup>> {
 
 /// Everybody who draws meshes through a pipeline.
 pub fn mesh_painters() -> Vec<Maker<Sight>> {
-    vec![Box::new(pipeline::mesh_painter), Box::new(euc::mesh_painter), Box::new(retrofire::mesh_painter)]
+    vec![
+        Box::new(pipeline::picture_painter),
+        Box::new(pipeline::mesh_painter),
+        Box::new(euc::mesh_painter),
+        Box::new(retrofire::mesh_painter),
+    ]
 }

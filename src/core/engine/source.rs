@@ -1,0 +1,165 @@
+//! Where triangles come from: a list of them with a colour each, or a mesh with a colour at each vertex.
+
+use super::{
+    Triangles,
+    group::{Entry, Group},
+    lanes::{LANES, larger},
+};
+use wide::f32x4;
+
+/// Triangles by their numbers.
+pub(super) trait Source: Sync {
+    /// How many there are.
+    fn count(&self) -> usize;
+
+    /// The vertices of one: x and y in pixels, depth, and anything; not numbers if there is none.
+    fn vertices(&self, triangle: usize) -> [f32x4; 3];
+
+    /// What is kept of one for a tile.
+    fn entry(&self, triangle: usize, numbered: bool) -> Entry;
+
+    /// Which of a few triangles, from one on, are not drawn since they are seen from the wrong side.
+    #[inline(always)]
+    fn averted(&self, _first: usize, _group: &Group) -> [bool; LANES] {
+        [false; LANES]
+    }
+}
+
+impl Source for Triangles<'_> {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    #[inline(always)]
+    fn vertices(&self, triangle: usize) -> [f32x4; 3] {
+        match self.indices {
+            None => {
+                let first = 3 * triangle;
+                [self.vertex(first), self.vertex(first + 1), self.vertex(first + 2)]
+            }
+            Some(indices) => match indices.get(triangle) {
+                Some(&[a, b, c]) => {
+                    [self.vertex(a as usize), self.vertex(b as usize), self.vertex(c as usize)]
+                }
+                None => [NOWHERE; 3],
+            },
+        }
+    }
+
+    #[inline(always)]
+    fn entry(&self, triangle: usize, numbered: bool) -> Entry {
+        let position = |index: u32| self.positions.get(index as usize).copied().unwrap_or([f32::NAN; 3]);
+        let corners = match self.indices {
+            None => self.positions.as_chunks().0.get(triangle).copied().unwrap_or([[f32::NAN; 3]; 3]),
+            Some(indices) => match indices.get(triangle) {
+                Some(&[a, b, c]) => [position(a), position(b), position(c)],
+                None => [[f32::NAN; 3]; 3],
+            },
+        };
+        Entry::new(corners, if numbered { triangle as u32 + 1 } else { self.color(triangle) })
+    }
+}
+
+/// A vertex that is not there.
+const NOWHERE: f32x4 = f32x4::new([f32::NAN; 4]);
+
+impl Triangles<'_> {
+    #[inline(always)]
+    fn vertex(&self, index: usize) -> f32x4 {
+        // Four numbers at once, except of the last vertex.
+        match self.positions.as_flattened().get(3 * index..).and_then(|numbers| numbers.first_chunk()) {
+            Some(numbers) => f32x4::new(*numbers),
+            None => self.last_vertex(index),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn last_vertex(&self, index: usize) -> f32x4 {
+        self.positions.get(index).map_or(NOWHERE, |[x, y, z]| f32x4::new([*x, *y, *z, 0.0]))
+    }
+}
+
+/// What a mesh is asked where an error leaves two answers.
+pub(crate) trait Exact: Sync {
+    /// Whether a triangle is seen from the side that is drawn.
+    fn faces(&self, triangle: u32) -> bool;
+
+    /// The colour codes of a pixel of a triangle.
+    fn color(&self, triangle: u32, pixel: [u32; 2]) -> [u8; 4];
+}
+
+/// A mesh on the screen, all of it before the eye; colours are interpolated perspectively.
+pub(crate) struct Mesh<'m, E: Exact> {
+    /// x and y in pixels, depth, 1/w.
+    pub(crate) vertices: &'m [[f32; 4]],
+    /// Red, green, blue, alpha of each vertex, from 0 to 1.
+    pub(crate) colors: &'m [[f32; 4]],
+    /// Indices of vertices and colours.
+    pub(crate) triangles: &'m [[u32; 3]],
+    /// Which turning sense is drawn, that of rows of positive x into positive y or the other; `None` is both.
+    pub(crate) turn: Option<f32>,
+    /// How far off a coordinate is at most, in pixels, of where the vertex is seen exactly.
+    pub(crate) blur: f32,
+    pub(crate) exact: &'m E,
+}
+
+impl<E: Exact> Mesh<'_, E> {
+    /// The colours at the corners of a triangle.
+    #[inline(always)]
+    pub(super) fn corner_colors(&self, triangle: usize) -> [f32x4; 3] {
+        let Some(&[a, b, c]) = self.triangles.get(triangle) else { return [f32x4::ZERO; 3] };
+        let color = |i: u32| f32x4::new(self.colors.get(i as usize).copied().unwrap_or_default());
+        [color(a), color(b), color(c)]
+    }
+}
+
+impl<E: Exact> Source for Mesh<'_, E> {
+    fn count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    #[inline(always)]
+    fn vertices(&self, triangle: usize) -> [f32x4; 3] {
+        let Some(&[a, b, c]) = self.triangles.get(triangle) else { return [NOWHERE; 3] };
+        let vertex = |i: u32| f32x4::new(self.vertices.get(i as usize).copied().unwrap_or([f32::NAN; 4]));
+        [vertex(a), vertex(b), vertex(c)]
+    }
+
+    #[inline(always)]
+    fn entry(&self, triangle: usize, _: bool) -> Entry {
+        let corner = |vertex: f32x4| {
+            let [x, y, z, _] = vertex.to_array();
+            [x, y, z]
+        };
+        let [a, b, c] = self.vertices(triangle);
+        Entry::new([corner(a), corner(b), corner(c)], triangle as u32 + 1)
+    }
+
+    /// A determinant `l - r` of differences is off by at most `4u (|l| + |r|)`, and by what its coordinates are.
+    #[inline(always)]
+    fn averted(&self, first: usize, group: &Group) -> [bool; LANES] {
+        const U: f32 = f32::EPSILON / 2.0;
+        let mut averted = [false; LANES];
+        let (turn, sided) = (self.turn.unwrap_or(1.0), self.turn.is_some());
+        let [[ax, ay, _], [bx, by, _], [cx, cy, _]] = &group.corners;
+        let mut open = [false; LANES];
+        for i in 0..LANES {
+            let (bx, by, cx, cy) = (bx[i] - ax[i], by[i] - ay[i], cx[i] - ax[i], cy[i] - ay[i]);
+            let (l, r) = (bx * cy, by * cx);
+            let widest = larger(larger(bx.abs(), by.abs()), larger(cx.abs(), cy.abs()));
+            let error = 5.0 * U * (l.abs() + r.abs()) + 9.0 * self.blur * (widest + self.blur);
+            let area = (l - r) * turn;
+            averted[i] = sided & (area < -error);
+            open[i] = area.abs() <= error;
+        }
+        if open.iter().any(|&open| open) {
+            for i in 0..LANES {
+                if open[i] && first + i < self.triangles.len() {
+                    averted[i] = !self.exact.faces((first + i) as u32);
+                }
+            }
+        }
+        averted
+    }
+}

@@ -119,6 +119,7 @@ impl Tile {
                     };
                     let farthest = if T::TIES { farthest.next_up() } else { farthest };
                     let setup = &Setup::new((group, small), (job.origin, farthest), job.rules, stats);
+                    ink.fetch(list.get(start + LANES..).unwrap_or_default());
                     ink.set_up(group, setup, small);
                     let mut lane = 0;
                     while lane < LANES {

@@ -3,7 +3,7 @@
 
 use super::{
     Stats,
-    group::Group,
+    group::{Entry, Group},
     paint::{Brushes, PaintOrder, Painter},
     setup::Setup,
     small::Small,
@@ -17,6 +17,10 @@ pub(super) trait Ink {
     const TOUCHES: bool;
     /// Whether the half-planes of the edges are asked for.
     const SHADES: bool = false;
+
+    /// Asks for what the next triangles will need.
+    #[inline(always)]
+    fn fetch(&self, _next: &[Entry]) {}
 
     /// Prepares for a few triangles.
     #[inline(always)]

@@ -50,7 +50,7 @@ pub use canvas::{Canvas, Clear, Stencil};
 pub use lanes::Lanes;
 pub(crate) use lanes::{greatest, least};
 pub use paint::{PaintOrder, Painter};
-pub(crate) use source::{Exact, Mesh};
+pub(crate) use source::{Exact, Mesh, Vertex};
 pub use state::{DepthStore, State};
 pub use stats::Stats;
 pub use threads::Threads;

@@ -6,7 +6,7 @@
 
 use super::{
     Exact, Mesh, Stats,
-    group::Group,
+    group::{Entry, Group},
     ink::{Ink, Stroke},
     lanes::{LANES, larger, lesser, mask},
     setup::Setup,
@@ -62,8 +62,13 @@ impl<'m, E: Exact> Smooth<'m, E> {
     fn gather(&mut self, group: &Group) {
         for half in [0, LANES / 2] {
             let at = |i: usize| group.colors[half + i].wrapping_sub(1) as usize;
-            let (a, b) = (self.mesh.corner_colors(at(0)), self.mesh.corner_colors(at(1)));
-            let (c, d) = (self.mesh.corner_colors(at(2)), self.mesh.corner_colors(at(3)));
+            let ([r0, r1, r2], a) = self.mesh.corners(at(0));
+            let ([s0, s1, s2], b) = self.mesh.corners(at(1));
+            let ([t0, t1, t2], c) = self.mesh.corners(at(2));
+            let ([u0, u1, u2], d) = self.mesh.corners(at(3));
+            self.r[0][half..half + LANES / 2].copy_from_slice(&[r0, s0, t0, u0]);
+            self.r[1][half..half + LANES / 2].copy_from_slice(&[r1, s1, t1, u1]);
+            self.r[2][half..half + LANES / 2].copy_from_slice(&[r2, s2, t2, u2]);
             for corner in 0..3 {
                 let rows = f32x4::transpose([a[corner], b[corner], c[corner], d[corner]]);
                 let codes = match corner {
@@ -76,14 +81,6 @@ impl<'m, E: Exact> Smooth<'m, E> {
                 }
             }
         }
-        for i in 0..LANES {
-            let triangle = self.mesh.triangles.get(group.colors[i].wrapping_sub(1) as usize);
-            let r = |corner: usize| {
-                let vertex = triangle.and_then(|triangle| self.mesh.vertices.get(triangle[corner] as usize));
-                vertex.map_or(0.0, |vertex| vertex[3])
-            };
-            (self.r[0][i], self.r[1][i], self.r[2][i]) = (r(0), r(1), r(2));
-        }
     }
 }
 
@@ -91,6 +88,14 @@ impl<E: Exact> Ink for Smooth<'_, E> {
     const COUNTS: bool = false;
     const TOUCHES: bool = false;
     const SHADES: bool = true;
+
+    #[inline(always)]
+    fn fetch(&self, next: &[Entry]) {
+        let number = |entry: &Entry| entry.color().wrapping_sub(1) as usize;
+        for (soon, later) in next.iter().zip(next.iter().skip(2 * LANES)).take(LANES) {
+            self.mesh.fetch(number(soon), number(later));
+        }
+    }
 
     /// With m the greatest difference of codes and e the error of an edge function, moving the weights moves a code by at
     /// most `6 e m max(r) / S`, where `S = 2A min(r) - 3 e max(r)` is less than the sum of the weights. While that is
@@ -232,7 +237,7 @@ impl<E: Exact> Smooth<'_, E> {
     #[inline(never)]
     fn round_halfway(&mut self, group: &Group) {
         for i in 0..LANES {
-            let colors = self.mesh.corner_colors(group.colors[i].wrapping_sub(1) as usize);
+            let (_, colors) = self.mesh.corners(group.colors[i].wrapping_sub(1) as usize);
             let [a, b, c] = colors.map(f32x4::to_array);
             for channel in 0..4 {
                 if a[channel] == b[channel] && b[channel] == c[channel] {

@@ -89,13 +89,20 @@ pub(crate) trait Exact: Sync {
     fn color(&self, triangle: u32, pixel: [u32; 2]) -> [u8; 4];
 }
 
+/// A vertex on the screen. What belongs together is fetched together.
+#[derive(Clone, Copy, Debug, Default)]
+#[repr(align(32))]
+pub(crate) struct Vertex {
+    /// x and y in pixels, depth, 1/w.
+    pub(crate) place: [f32; 4],
+    /// Red, green, blue, alpha, from 0 to 1.
+    pub(crate) color: [f32; 4],
+}
+
 /// A mesh on the screen, all of it before the eye; colours are interpolated perspectively.
 pub(crate) struct Mesh<'m, E: Exact> {
-    /// x and y in pixels, depth, 1/w.
-    pub(crate) vertices: &'m [[f32; 4]],
-    /// Red, green, blue, alpha of each vertex, from 0 to 1.
-    pub(crate) colors: &'m [[f32; 4]],
-    /// Indices of vertices and colours.
+    pub(crate) vertices: &'m [Vertex],
+    /// Indices of vertices.
     pub(crate) triangles: &'m [[u32; 3]],
     /// Which turning sense is drawn, that of rows of positive x into positive y or the other; `None` is both.
     pub(crate) turn: Option<f32>,
@@ -105,14 +112,35 @@ pub(crate) struct Mesh<'m, E: Exact> {
 }
 
 impl<E: Exact> Mesh<'_, E> {
-    /// The colours at the corners of a triangle.
+    /// The corners of a triangle: their 1/w, and their colours.
     #[inline(always)]
-    pub(super) fn corner_colors(&self, triangle: usize) -> [f32x4; 3] {
-        let Some(&[a, b, c]) = self.triangles.get(triangle) else { return [f32x4::ZERO; 3] };
-        let color = |i: u32| f32x4::new(self.colors.get(i as usize).copied().unwrap_or_default());
-        [color(a), color(b), color(c)]
+    pub(super) fn corners(&self, triangle: usize) -> ([f32; 3], [f32x4; 3]) {
+        let Some(&[a, b, c]) = self.triangles.get(triangle) else { return ([0.0; 3], [f32x4::ZERO; 3]) };
+        let (a, b, c) = (self.vertex(a), self.vertex(b), self.vertex(c));
+        let colors = [f32x4::new(a.color), f32x4::new(b.color), f32x4::new(c.color)];
+        ([a.place[3], b.place[3], c.place[3]], colors)
+    }
+
+    #[inline(always)]
+    fn vertex(&self, index: u32) -> &Vertex {
+        self.vertices.get(index as usize).unwrap_or(&NO_VERTEX)
+    }
+
+    /// Asks for the corners of a triangle that will be needed soon, and for the indices of one that is needed later.
+    #[inline(always)]
+    pub(super) fn fetch(&self, soon: usize, later: usize) {
+        #[cfg(target_arch = "x86_64")]
+        {
+            for index in self.triangles.get(soon).into_iter().flatten() {
+                self.vertices.get(*index as usize).into_iter().for_each(safe_arch::prefetch_t0);
+            }
+            self.triangles.get(later).into_iter().for_each(safe_arch::prefetch_t0);
+        }
     }
 }
+
+/// A vertex that is not there.
+static NO_VERTEX: Vertex = Vertex { place: [f32::NAN; 4], color: [0.0; 4] };
 
 impl<E: Exact> Source for Mesh<'_, E> {
     fn count(&self) -> usize {
@@ -122,8 +150,8 @@ impl<E: Exact> Source for Mesh<'_, E> {
     #[inline(always)]
     fn vertices(&self, triangle: usize) -> [f32x4; 3] {
         let Some(&[a, b, c]) = self.triangles.get(triangle) else { return [NOWHERE; 3] };
-        let vertex = |i: u32| f32x4::new(self.vertices.get(i as usize).copied().unwrap_or([f32::NAN; 4]));
-        [vertex(a), vertex(b), vertex(c)]
+        let (a, b, c) = (self.vertex(a), self.vertex(b), self.vertex(c));
+        [f32x4::new(a.place), f32x4::new(b.place), f32x4::new(c.place)]
     }
 
     #[inline(always)]

@@ -17,13 +17,14 @@ use super::{
 use crate::{
     cull::{CullMode, FrontFace, facing},
     depth::{CompareFunction, DepthFormat, DepthState},
-    engine::{self, Canvas, Clear, Colors, Engine, Exact, Lanes, Mesh, Stencil, Threads, Triangles},
+    engine::{self, Canvas, Clear, Colors, Engine, Exact, Lanes, Mesh, Stencil, Threads, Triangles, Vertex},
     interpolate::Interpolator,
     math::Tally,
     raster::{Samples, YAxis, edge::centre},
     scene::{self, Draw, Scene, Shade},
     transform::{Matrix, Viewport, apply, chain::model_matrix, divide, matrices},
 };
+use std::sync::Arc;
 
 /// Draws images of scenes, with the memory it keeps from one to the next.
 #[derive(Debug, Default)]
@@ -44,15 +45,15 @@ pub struct Picture {
 /// What is seen of one draw.
 #[derive(Debug, Default)]
 struct Seen {
-    /// x and y in pixels, depth, 1/w of the vertices, then of those of what was clipped.
-    screen: Vec<Point>,
+    /// What the colours of the vertices are of.
+    mesh: Arc<scene::Mesh>,
+    /// The vertices, then those of what was clipped.
+    screen: Vec<Vertex>,
     /// Which planes each vertex lies outside of.
     outcodes: Vec<u8>,
     /// What is left of triangles if some were clipped: indices, and of which triangle; none of a part.
     triangles: Vec<[u32; 3]>,
     whole: Vec<Option<u32>>,
-    /// The colours of all vertices, if some were clipped.
-    colors: Vec<[f32; 4]>,
 }
 
 /// From object to clip space, step by step as in the pipeline.
@@ -134,7 +135,7 @@ impl Picture {
         &mut self,
         canvas: &mut Canvas,
         clear: &mut Option<Clear>,
-        (scene, draw, mesh): (&Scene, &Draw, &scene::Mesh),
+        (scene, draw, mesh): (&Scene, &Draw, &Arc<scene::Mesh>),
         state: &engine::State,
     ) {
         let viewport = Viewport { size: scene.size, depth_range: scene.depth_range, y_axis: scene.y_axis };
@@ -150,19 +151,17 @@ impl Picture {
         };
         let key = CullKey::new(draw, scene.depth_range, Skips::ALL);
         let seen = &mut self.seen;
-        seen.transform(&mesh.positions, &chain, &viewport, &key);
+        seen.transform(mesh, &chain, &viewport, &key);
         let is_clipped = seen.outcodes.iter().any(|&outcode| outcode != 0);
         if is_clipped {
             seen.clip(mesh, &chain, &viewport, &key);
         }
-        let (triangles, colors) =
-            if is_clipped { (&seen.triangles, &seen.colors) } else { (&mesh.triangles, &mesh.colors) };
-        let asked = Asked { seen, mesh, triangles, colors, is_clipped, chain, key };
+        let triangles = if is_clipped { &seen.triangles } else { &mesh.triangles };
+        let asked = Asked { seen, mesh, triangles, is_clipped, chain, key };
         let front = if draw.front == FrontFace::Ccw { 1.0 } else { -1.0 };
         let up = if scene.y_axis == YAxis::Up { front } else { -front };
         let mesh = Mesh {
             vertices: &seen.screen,
-            colors,
             triangles,
             turn: match draw.cull {
                 CullMode::None => None,
@@ -198,17 +197,22 @@ fn clear_of(state: &ImageState) -> Clear {
 
 impl Seen {
     /// All vertices to the screen.
-    fn transform(&mut self, positions: &[[f32; 3]], chain: &Chain, viewport: &Viewport, key: &CullKey) {
-        self.screen.resize(positions.len(), [0.0; 4]);
-        self.outcodes.resize(positions.len(), 0);
+    fn transform(&mut self, mesh: &Arc<scene::Mesh>, chain: &Chain, viewport: &Viewport, key: &CullKey) {
+        self.screen.resize(mesh.positions.len(), Vertex::default());
+        self.outcodes.resize(mesh.positions.len(), 0);
+        if !Arc::ptr_eq(mesh, &self.mesh) {
+            self.mesh = Arc::clone(mesh);
+            let colors = self.screen.iter_mut().zip(&mesh.colors);
+            colors.for_each(|(vertex, color)| vertex.color = *color);
+        }
         Lanes::widest().run(
             #[inline(always)]
             || {
                 let out = self.screen.iter_mut().zip(&mut self.outcodes);
-                for ((screen, outcode), position) in out.zip(positions) {
+                for ((screen, outcode), position) in out.zip(&mesh.positions) {
                     let clip = chain.clip(*position);
                     *outcode = key.visible.outcode(clip);
-                    *screen = viewport.to_screen(divide(clip));
+                    screen.place = viewport.to_screen(divide(clip));
                 }
             },
         );
@@ -216,10 +220,9 @@ impl Seen {
 
     /// What is left of all triangles, in order.
     fn clip(&mut self, mesh: &scene::Mesh, chain: &Chain, viewport: &Viewport, key: &CullKey) {
-        let Self { screen, outcodes, triangles, whole, colors } = self;
+        let Self { screen, outcodes, triangles, whole, .. } = self;
         triangles.clear();
         whole.clear();
-        colors.clone_from(&mesh.colors);
         let (lit, tally) = (Lit::default(), &mut Tally::default());
         let varyings = Varyings::new(mesh, &lit);
         let clip: Vec<_> = mesh.positions.iter().map(|position| chain.clip(*position)).collect();
@@ -237,8 +240,12 @@ impl Seen {
             let mut left = Clipped::default();
             left.push(index, false, &clip, &varyings, key.visible);
             let first = screen.len() as u32;
-            screen.extend(left.corners.iter().map(|corner| viewport.to_screen(divide(*corner))));
-            colors.extend(&left.colors);
+            screen.extend(
+                left.corners.iter().zip(&left.colors).map(|(corner, color)| Vertex {
+                    place: viewport.to_screen(divide(*corner)),
+                    color: *color,
+                }),
+            );
             triangles.extend(left.pieces.iter().map(|piece| piece.corners.map(|corner| first + corner)));
             whole.extend(left.pieces.iter().map(|_| None));
         }
@@ -250,7 +257,6 @@ struct Asked<'a> {
     seen: &'a Seen,
     mesh: &'a scene::Mesh,
     triangles: &'a [[u32; 3]],
-    colors: &'a [[f32; 4]],
     is_clipped: bool,
     chain: Chain,
     key: CullKey,
@@ -267,13 +273,12 @@ impl Exact for Asked<'_> {
     }
 
     fn color(&self, triangle: u32, [x, y]: [u32; 2]) -> [u8; 4] {
-        let corners = self.triangles[triangle as usize].map(|i| i as usize);
+        let corners = self.triangles[triangle as usize].map(|i| self.seen.screen[i as usize]);
         let tally = &mut Tally::default();
-        let vertices = corners.map(|i| self.seen.screen[i]).map(|[x, y, _, r]| [x, y, r]);
-        let colors = corners.map(|i| self.colors[i]);
+        let vertices = corners.map(|Vertex { place: [x, y, _, r], .. }| [x, y, r]);
         // What covers a pixel has an area.
         let Some(interpolator) = Interpolator::new(vertices, tally) else { return [0; 4] };
         let weights = interpolator.at_point(centre(x, y), tally);
-        [0, 1, 2, 3].map(|channel| weights.code8(colors.map(|color| color[channel]), tally))
+        [0, 1, 2, 3].map(|channel| weights.code8(corners.map(|corner| corner.color[channel]), tally))
     }
 }

@@ -133,6 +133,38 @@ fn pictures_are_the_whole_pipelines() {
     }
 }
 
+/// Slivers along rows of centres: rounding to the screen turns some of them over, but which side is seen was decided
+/// before.
+#[test]
+fn what_is_seen_nearly_from_the_side_is_culled_alike() {
+    let mut random = Random::new(31);
+    let [width, height] = [133.0, 70.0];
+    let camera = Camera { eye: [0.0, 0.0, 5.0], target: [0.0; 3], near: 1.0, far: 10.0, ..Camera::default() };
+    let Projection::Perspective { fovy_degrees } = camera.projection else { panic!("it is perspective") };
+    let tangent = (f64::from(fovy_degrees) / 2.0).to_radians().tan();
+    let mut picture = Picture::default();
+    for cull in [CullMode::Back, CullMode::Front, CullMode::None] {
+        let mut positions = Vec::new();
+        for _ in 0..3000 {
+            let row = f64::from(1 + random.below(68)) + 0.5;
+            for _ in 0..3 {
+                let x = 2.0 * f64::from(random.uniform(5.0, 128.0)) / width - 1.0;
+                let y = 1.0 - 2.0 * (row + 1e-6 * f64::from(random.below(9)) - 4e-6) / height;
+                let depth = f64::from(random.uniform(2.0, 8.0));
+                let at = [x * width / height * tangent * depth, y * tangent * depth, 5.0 - depth];
+                positions.push(at.map(|coordinate| coordinate as f32));
+            }
+        }
+        let mut mesh = Mesh::soup(positions, [1.0; 4]);
+        mesh.colors.iter_mut().for_each(|color| *color = [0; 4].map(|_| random.uniform(0.0, 1.0)));
+        let draw = Draw { cull, ..Draw::new("A", Geometry::Mesh(Arc::new(mesh))) };
+        let scene = Scene { camera, draws: vec![draw], ..Scene::empty([133, 70]) };
+        let expected = drawn(&scene, Rasterizer::Each(Algorithm::Scanline), &Skips::ALL);
+        assert!(expected.color.iter().any(|&code| code > 0), "{cull:?}: something is seen");
+        assert!(picture.draw(&scene).same_image(&expected), "{cull:?}");
+    }
+}
+
 /// What is drawn next does not depend on what was drawn before, however the two differ.
 #[test]
 fn one_image_after_another() {

@@ -18,7 +18,7 @@ use crate::{
     cull::{CullMode, FrontFace, facing},
     depth::{CompareFunction, DepthFormat, DepthState},
     engine::{self, Canvas, Clear, Colors, Engine, Exact, Lanes, Mesh, Stencil, Threads, Triangles, Vertex},
-    interpolate::Interpolator,
+    interpolate::{Interpolator, unorm},
     math::Tally,
     raster::{Samples, YAxis, edge::centre},
     scene::{self, Draw, Scene, Shade},
@@ -279,6 +279,9 @@ impl Exact for Asked<'_> {
         // What covers a pixel has an area.
         let Some(interpolator) = Interpolator::new(vertices, tally) else { return [0; 4] };
         let weights = interpolator.at_point(centre(x, y), tally);
-        [0, 1, 2, 3].map(|channel| weights.code8(corners.map(|corner| corner.color[channel]), tally))
+        [0, 1, 2, 3].map(|channel| {
+            let [a, b, c] = corners.map(|corner| corner.color[channel]);
+            if a == b && b == c { unorm(a, 255) as u8 } else { weights.code8([a, b, c], tally) }
+        })
     }
 }

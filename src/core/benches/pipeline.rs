@@ -7,10 +7,11 @@
 
 use rasterscope_core::{
     blend::Mode,
+    engine::Threads,
     labs::Stage,
-    pipeline::{Frame, Pipeline, Rasterizer, Skips, render},
+    pipeline::{Frame, Picture, Pipeline, Rasterizer, Skips, render},
     raster::Algorithm,
-    scene::{Draw, Geometry, MODEL_SIZE, Mesh, Scene, preset, scene_from_obj},
+    scene::{Draw, Geometry, MODEL_SIZE, Mesh, Scene, Shade, preset, scene_from_obj},
     stencil::{StencilOperation, StencilState},
 };
 use std::{
@@ -85,8 +86,44 @@ fn first_image(path: String) -> Row {
     })
 }
 
+/// What an image is drawn by.
+enum By {
+    /// With all stages' outputs and counts.
+    Pipeline(Pipeline),
+    /// The image alone.
+    Picture(Picture),
+}
+
+impl By {
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Pipeline(Pipeline { rasterizer: Rasterizer::Engine, .. }) => "engine",
+            Self::Pipeline(_) => "scan line",
+            Self::Picture(_) => "image alone",
+        }
+    }
+
+    fn draw(&mut self, scene: &Scene) {
+        match self {
+            Self::Pipeline(pipeline) => {
+                black_box(pipeline.update(scene, &Skips::ALL));
+            }
+            Self::Picture(picture) => {
+                black_box(picture.draw(scene));
+            }
+        }
+    }
+
+    fn frame(&self) -> &Frame {
+        match self {
+            Self::Pipeline(pipeline) => &pipeline.outputs().frame,
+            Self::Picture(picture) => picture.frame(),
+        }
+    }
+}
+
 /// One step of an orbit around a model, as dragging the camera asks for it.
-fn orbit(path: &str, rasterizer: Rasterizer, what: &str, change: impl Fn(&mut Draw)) -> Row {
+fn orbit(path: &str, mut by: By, what: &str, change: impl Fn(&mut Draw)) -> Row {
     let bytes = std::fs::read(path).expect("the model can be read");
     let mesh = Mesh::from_obj(&bytes).expect("the model is right");
     let mut scene = scene_from_obj("model.obj", mesh, MODEL_SIZE);
@@ -100,17 +137,15 @@ fn orbit(path: &str, rasterizer: Rasterizer, what: &str, change: impl Fn(&mut Dr
         pipeline.into_frame()
     });
     assert!(!expected[0].same_image(&expected[1]), "the orbit must show");
-    let mut pipeline = Pipeline::new(rasterizer);
     let mut turn = 0;
-    let by = if rasterizer == Rasterizer::Engine { "engine" } else { "scan line" };
     let name = std::path::Path::new(path).file_stem().unwrap_or_default().to_string_lossy();
-    Row::new(format!("orbit {name}, {what}, 1280x720, {by}"), move || {
+    Row::new(format!("orbit {name}, {what}, 1280x720, {}", by.name()), move || {
         turn = 1 - turn;
         scene.camera.eye = eyes[turn];
         let start = Instant::now();
-        black_box(pipeline.update(&scene, &Skips::ALL));
+        by.draw(&scene);
         let time = start.elapsed();
-        assert!(pipeline.outputs().frame.same_image(&expected[turn]));
+        assert!(by.frame().same_image(&expected[turn]));
         time
     })
 }
@@ -132,10 +167,17 @@ fn main() {
     rows.extend(std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).map(first_image));
     for path in std::env::args().skip(1).filter(|arg| !arg.starts_with('-')) {
         for rasterizer in [Rasterizer::Each(Algorithm::Scanline), Rasterizer::Engine] {
-            rows.push(orbit(&path, rasterizer, "depth", |_| ()));
-            rows.push(orbit(&path, rasterizer, "stencil", |draw| draw.stencil = Some(counting())));
-            rows.push(orbit(&path, rasterizer, "blending", |draw| draw.blend = Some(Mode::Over.state())));
+            let by = || By::Pipeline(Pipeline::new(rasterizer));
+            rows.push(orbit(&path, by(), "depth", |_| ()));
+            rows.push(orbit(&path, by(), "stencil", |draw| draw.stencil = Some(counting())));
+            rows.push(orbit(&path, by(), "blending", |draw| draw.blend = Some(Mode::Over.state())));
         }
+        let mut picture = Picture::default();
+        picture.set_threads(Threads::available());
+        // Without the light that a model is opened with.
+        rows.push(orbit(&path, By::Picture(picture), "depth, unlit", |draw| draw.shade = Shade::None));
+        let pipeline = By::Pipeline(Pipeline::default());
+        rows.push(orbit(&path, pipeline, "depth, unlit", |draw| draw.shade = Shade::None));
     }
     for _ in 0..ROUNDS {
         for row in &mut rows {

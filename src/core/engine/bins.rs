@@ -64,16 +64,17 @@ impl Bins {
                     stats.culled += 1;
                     continue;
                 }
-                let entry = triangles.entry(start + i, rules.counts);
+                let entry = || triangles.entry(start + i, rules.counts);
                 self.area += u64::from(right - left + 1) * u64::from(bottom - top + 1);
                 self.count += 1;
                 let [left, right, top, bottom] =
                     [left, right, top, bottom].map(|pixel| pixel as usize / TILE);
                 if left == right && top == bottom {
-                    self.lists[top * self.columns + left].push(entry);
+                    self.lists[top * self.columns + left].push(entry());
                 } else if rules.tile && right - left > 1 && bottom - top > 1 {
-                    self.push_large(entry, [left, right, top, bottom], stats);
+                    self.push_large(entry(), [left, right, top, bottom], stats);
                 } else {
+                    let entry = entry();
                     for row in top..=bottom {
                         for list in &mut self.lists[row * self.columns..][left..=right] {
                             list.push(entry);

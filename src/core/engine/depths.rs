@@ -40,15 +40,15 @@ impl Starts {
     /// None.
     pub(super) const NOTHING: Self = Self { grid: [0.0; LANES], near: [0.0; LANES], far: [0.0; LANES] };
 
-    /// Puts in what one lane begins with: `depth`, known up to `error`.
+    /// Puts in what one lane begins with: `depth`, known up to `slack`.
     #[inline(always)]
-    fn put(&mut self, i: usize, depth: f64, error: f64, anchor: f64) {
+    fn put(&mut self, i: usize, depth: f64, slack: f32, anchor: f64) {
         let grid = (depth + anchor) - anchor;
-        let rest = grid - depth;
+        let rest = (grid - depth) as f32;
         // Adding zero leaves no -0, nor does any difference from what is not -0.
         self.grid[i] = grid as f32 + 0.0;
-        self.near[i] = (rest + error) as f32;
-        self.far[i] = (rest - error) as f32;
+        self.near[i] = rest + slack;
+        self.far[i] = rest - slack;
     }
 
     /// One of them.
@@ -117,13 +117,22 @@ impl Setup {
         starts
     }
 
-    /// What a row of each triangle begins with.
+    /// The depths of all triangles in the tile's first row, at column `x` of each.
     #[inline(always)]
-    pub(super) fn starts_of_all(&self, x: &Wide, y: &Wide) -> Starts {
+    pub(super) fn at_columns(&self, x: &[u32; LANES]) -> Wide {
+        let mut depths = [0.0; LANES];
+        for i in 0..LANES {
+            depths[i] = self.depth[i] + self.dz_dx[i] * f64::from(x[i] as i32);
+        }
+        depths
+    }
+
+    /// What row `y` of each triangle begins with, at the column of those depths.
+    #[inline(always)]
+    pub(super) fn starts_of_all(&self, depths: &Wide, y: &Wide) -> Starts {
         let mut starts = Starts::NOTHING;
         for i in 0..LANES {
-            let depth = (self.depth[i] + self.dz_dy[i] * y[i]) + self.dz_dx[i] * x[i];
-            starts.put(i, depth, self.slack[i], self.anchor[i]);
+            starts.put(i, depths[i] + self.dz_dy[i] * y[i], self.slack[i], self.anchor[i]);
         }
         starts
     }

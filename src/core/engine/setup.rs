@@ -71,7 +71,7 @@ pub(super) struct Setup {
     /// Adding this, then subtracting it, leaves a multiple of the grid of [`Across`](super::depths::Across); and how far
     /// off a depth may be that is computed in that way.
     pub(super) anchor: Wide,
-    pub(super) slack: Wide,
+    pub(super) slack: [f32; LANES],
     /// The least and the greatest depth of the vertices.
     pub(super) range: [Wide; 2],
     /// Which of them lie behind all pixels of the tile, if they are counted nevertheless.
@@ -141,8 +141,8 @@ impl Setup {
     /// seven roundings. All constants are a little greater, for the roundings of the bounds themselves.
     ///
     /// A power of 2, at most the greatest depth `m` and more than half of it, makes the grid of [`Across`]: multiples of
-    /// `2^-23` of it, which binary32 holds up to `m`. Rests are at most half a step and an error, and each of the two
-    /// and their sum is rounded by at most `2^-25` steps: together less than `2^-23`. The slack is twice that.
+    /// `2^-23` of it, which binary32 holds up to `m`. Rests are at most half a step; that of a row is rounded twice, that
+    /// of a column once, by at most `2^-25` steps, and their sum by twice that: together less than `2^-22`, the slack.
     ///
     /// [`Across`]: super::depths::Across
     #[inline(always)]
@@ -188,7 +188,7 @@ impl Setup {
             self.dz_dy[i] = if known { dy } else { 0.0 };
             self.error[i] = if known { error } else { f64::INFINITY };
             self.anchor[i] = if known { ANCHOR * power } else { 0.0 };
-            self.slack[i] = self.error[i] + SLACK * power;
+            self.slack[i] = (1.000_001 * (self.error[i] + SLACK * power)) as f32;
         }
         if doubt.iter().any(|&doubt| doubt) {
             turn_exactly(&mut self.turns, &doubt, group, stats);

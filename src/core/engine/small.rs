@@ -138,8 +138,13 @@ impl Small {
             highest = highest.max(if self.fits[i] { heights[i] } else { 0 });
             pieces = pieces.max(self.pieces[i]);
         }
-        let (mut x, mut y): (Wide, Wide) = ([0.0; LANES], [0.0; LANES]);
         for piece in 0..PIECES.min(pieces as usize) {
+            let (mut x, mut y): ([u32; LANES], Wide) = ([0; LANES], [0.0; LANES]);
+            for i in 0..LANES {
+                x[i] = self.first[i] + (piece * PIECE) as u32;
+                y[i] = f64::from(rows[0][i] as i32);
+            }
+            let depths = &setup.at_columns(&x);
             for row in 0..SIDE.min(highest as usize) {
                 for edge in 0..3 {
                     for i in 0..LANES {
@@ -151,11 +156,10 @@ impl Small {
                 if piece > 0 {
                     self.find_some(row);
                 }
+                self.starts[piece][row] = setup.starts_of_all(depths, &y);
                 for i in 0..LANES {
-                    x[i] = f64::from((self.first[i] + (piece * PIECE) as u32) as i32);
-                    y[i] = f64::from((rows[0][i] + row as u32) as i32);
+                    y[i] += 1.0;
                 }
-                self.starts[piece][row] = setup.starts_of_all(&x, &y);
             }
         }
     }

@@ -130,7 +130,7 @@ impl Tile {
                             }
                             lane += 1;
                         }
-                        self.small_pieces((test, &mut *ink), small, &subject, stats);
+                        self.small_pieces((test, &mut *ink), small, subject(0), stats);
                         if lane < LANES {
                             self.triangle((test, &mut *ink), (&subject(lane), small), stats);
                             lane += 1;

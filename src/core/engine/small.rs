@@ -57,8 +57,8 @@ pub(super) struct Small {
     some: [[u32; LANES]; SIDE],
     /// The depths there.
     starts: [[Starts; SIDE]; PIECES],
-    /// What is to be drawn: piece, row, lane, from the highest bits to the lowest.
-    todo: [u16; LANES * PIECES * SIDE + SIDE],
+    /// What is to be drawn.
+    todo: [Todo; LANES * PIECES * SIDE + SIDE],
     count: usize,
     pens: [Pen; LANES],
 }
@@ -71,6 +71,34 @@ struct Pen {
     across: Across<PIECE>,
     /// Whether it is only counted.
     hidden: bool,
+}
+
+/// A piece that is to be drawn, packed: its first pixel in the tile from bits 0 and 8 on, its lane from 16, row of the
+/// triangle from 20 and piece of that row from 24.
+#[derive(Clone, Copy)]
+struct Todo(u32);
+
+impl Todo {
+    /// What the next row adds, and the next piece of a row.
+    const ROW: u32 = 1 << 8 | 1 << 20;
+    const NEXT: u32 = PIECE as u32 | 1 << 24;
+
+    #[inline(always)]
+    fn new([x, y]: [u32; 2], lane: usize) -> Self {
+        Self(x | y << 8 | (lane as u32) << 16)
+    }
+
+    /// Column and row in the tile.
+    #[inline(always)]
+    fn pixel(self) -> [usize; 2] {
+        [self.0 as usize % TILE, (self.0 >> 8) as usize % TILE]
+    }
+
+    /// Piece of a row, row of a triangle, lane.
+    #[inline(always)]
+    fn piece(self) -> [usize; 3] {
+        [(self.0 >> 24) as usize % PIECES, (self.0 >> 20) as usize % SIDE, (self.0 >> 16) as usize % LANES]
+    }
 }
 
 impl Small {
@@ -88,7 +116,7 @@ impl Small {
             error: [0.0; LANES],
             some: [[0; LANES]; SIDE],
             starts: [[Starts::NOTHING; SIDE]; PIECES],
-            todo: [0; LANES * PIECES * SIDE + SIDE],
+            todo: [Todo(0); LANES * PIECES * SIDE + SIDE],
             count: 0,
             pens: [pen; LANES],
         }
@@ -191,15 +219,16 @@ impl Small {
         pen.hidden = hidden;
         let height = (setup.rows[1][lane] - setup.rows[0][lane]) as usize;
         // All that there could be, and as many counted as there are: no branch has to be guessed.
+        let first = Todo::new([self.first[lane], setup.rows[0][lane]], lane);
         if let Some(todo) = self.todo[self.count..].first_chunk_mut::<SIDE>() {
             for row in 0..SIDE {
-                todo[row] = (row * LANES + lane) as u16;
+                todo[row] = Todo(first.0 + row as u32 * Todo::ROW);
             }
         }
         self.count += height;
         if self.pieces[lane] > 1 {
             for row in 0..height.min(SIDE) {
-                self.todo[self.count] = ((SIDE + row) * LANES + lane) as u16;
+                self.todo[self.count] = Todo(first.0 + Todo::NEXT + row as u32 * Todo::ROW);
                 self.count += self.some[row][lane] as usize;
             }
         }
@@ -288,23 +317,22 @@ impl Tile {
         small.note(setup, lane, hidden);
     }
 
-    /// Draws what was noted.
+    /// Draws what was noted. The subject is one of the triangles.
     #[inline(always)]
-    pub(super) fn small_pieces<'s, T: Test, I: Ink>(
+    pub(super) fn small_pieces<T: Test, I: Ink>(
         &mut self,
         (test, ink): (T, &mut I),
         small: &mut Small,
-        subject: &impl Fn(usize) -> Subject<'s>,
+        mut subject: Subject<'_>,
         stats: &mut Stats,
     ) {
         let count = small.count;
         small.count = 0;
         for at in 0..count {
-            let todo = small.todo[at] as usize;
-            let [piece, row, lane] = [todo / LANES / SIDE % PIECES, todo / LANES % SIDE, todo % LANES];
-            let x = small.first[lane] as usize + piece * PIECE;
-            let subject = subject(lane);
-            let place = Place { at: [x, subject.setup.rows[0][lane] as usize + row] };
+            let todo = small.todo[at];
+            let [piece, row, lane] = todo.piece();
+            let place = Place { at: todo.pixel() };
+            subject.lane = lane;
             let mut covered = small.covered([piece, row, lane]);
             if I::COUNTS {
                 if covered.is_open() {

@@ -52,7 +52,7 @@ pub use canvas::{Canvas, Clear, Stencil};
 pub use lanes::Lanes;
 pub(crate) use lanes::{greatest, least};
 pub use paint::{PaintOrder, Painter};
-pub(crate) use source::{Exact, Mesh, Vertex};
+pub(crate) use source::{Arbiter, Mesh, Vertex};
 pub use state::{DepthStore, State};
 pub use stats::Stats;
 pub use threads::Threads;
@@ -148,11 +148,11 @@ impl Engine {
 
     /// Draws a mesh with a colour at each vertex. The state must be one in which nothing can happen to a pixel but that
     /// a lesser depth takes it over; else nothing is drawn.
-    pub(crate) fn draw_mesh<E: Exact>(
+    pub(crate) fn draw_mesh<A: Arbiter>(
         &mut self,
         canvas: &mut Canvas,
         clear: Option<Clear>,
-        mesh: &Mesh<'_, E>,
+        mesh: &Mesh<'_, A>,
         state: &State,
     ) -> Stats {
         self.frame(canvas, clear, mesh, state, &Meshed(mesh))

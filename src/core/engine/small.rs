@@ -46,13 +46,14 @@ pub(super) struct Small {
     /// The first of the columns that are looked at, and into how many pieces they are cut.
     first: [u32; LANES],
     pieces: [u32; LANES],
-    /// The half-planes of the edges, positive inside, in square pixels: what they grow by from column to column, what
-    /// they are where each row of each piece begins, and how far any of them is off at most.
+    /// The half-planes of the edges, positive inside, in square pixels: at the centre of the first pixel, and what they
+    /// grow by from column to column and from row to row; how far any of them is off at most.
     at: [Narrow; 3],
     right: [Narrow; 3],
     down: [Narrow; 3],
-    begin: [[[Narrow; 3]; SIDE]; PIECES],
     error: Narrow,
+    /// What they are where each row of each piece begins.
+    begin: [[[Narrow; 3]; SIDE]; PIECES],
     /// Whether something of the second piece may be covered: 1, else 0.
     some: [[u32; LANES]; SIDE],
     /// The depths there.
@@ -287,7 +288,7 @@ impl Small {
 }
 
 impl Tile {
-    /// Draws one of the small triangles, or notes what is to be drawn.
+    /// Notes what is to be drawn of one of the small triangles.
     #[inline(always)]
     pub(super) fn small_triangle<T: Test, I: Ink>(
         &mut self,

@@ -5,7 +5,7 @@
 //! Algorithms, 2nd ed. 2002, section 3.1 (the error). Deviation: a code that the error leaves open is decided exactly.
 
 use super::{
-    Exact, Mesh, Stats,
+    Arbiter, Mesh, Stats,
     group::{Entry, Group},
     ink::{Ink, Stroke},
     lanes::{LANES, larger, lesser, mask},
@@ -29,8 +29,8 @@ const SHIFT: f32 = 12_582_912.0;
 ///
 /// With the edge functions E, inside a triangle from 0 to twice its area A, a code is `sum(E r c) / sum(E r)`: that of
 /// the first vertex, and the differences of the others from it in their parts.
-pub(super) struct Smooth<'m, E: Exact> {
-    mesh: &'m Mesh<'m, E>,
+pub(super) struct Smooth<'m, A: Arbiter> {
+    mesh: &'m Mesh<'m, A>,
     /// 1/w of each corner.
     r: [Narrow; 3],
     /// The codes of the first corner, not rounded, and how far those of the others are from them.
@@ -43,8 +43,8 @@ pub(super) struct Smooth<'m, E: Exact> {
     opaque: bool,
 }
 
-impl<'m, E: Exact> Smooth<'m, E> {
-    pub(super) fn new(mesh: &'m Mesh<'m, E>) -> Self {
+impl<'m, A: Arbiter> Smooth<'m, A> {
+    pub(super) fn new(mesh: &'m Mesh<'m, A>) -> Self {
         let none = [0.0; LANES];
         Self {
             mesh,
@@ -84,7 +84,7 @@ impl<'m, E: Exact> Smooth<'m, E> {
     }
 }
 
-impl<E: Exact> Ink for Smooth<'_, E> {
+impl<A: Arbiter> Ink for Smooth<'_, A> {
     const COUNTS: bool = false;
     const TOUCHES: bool = false;
     const SHADES: bool = true;
@@ -128,10 +128,10 @@ impl<E: Exact> Ink for Smooth<'_, E> {
             let (least, greatest) = (lesser(a, lesser(b, c)), larger(a, larger(b, c)));
             let area = setup.area[i] as f32;
             let sum = area * least;
-            let move_ = error[i] * greatest;
-            let bound = 7.0 * move_ * most[i] / (sum - 4.0 * move_) + U * (16.0 * most[i] + 3.0 * 256.0);
+            let moved = error[i] * greatest;
+            let bound = 7.0 * moved * most[i] / (sum - 4.0 * moved) + U * (16.0 * most[i] + 3.0 * 256.0);
             // What is not a number is less than nothing.
-            let known = (sum > 64.0 * move_)
+            let known = (sum > 64.0 * moved)
                 & (least > SMALL)
                 & (greatest < GREAT)
                 & (area > SMALL)
@@ -191,7 +191,7 @@ impl<E: Exact> Ink for Smooth<'_, E> {
     }
 }
 
-impl<E: Exact> Smooth<'_, E> {
+impl<A: Arbiter> Smooth<'_, A> {
     /// Puts in the codes of a channel, given the parts of the second and the third corner, and how far the farthest is
     /// from a whole number.
     #[inline(always)]
@@ -259,7 +259,7 @@ impl<E: Exact> Smooth<'_, E> {
     ) -> [u32; N] {
         for i in (0..N).filter(|&i| open[i] != 0) {
             stats.painted += 1;
-            let codes = self.mesh.exact.color(number.wrapping_sub(1), [x + i as u32, y]);
+            let codes = self.mesh.arbiter.color(number.wrapping_sub(1), [x + i as u32, y]);
             colors[i] = u32::from_ne_bytes(codes);
         }
         colors

@@ -80,8 +80,8 @@ impl Triangles<'_> {
     }
 }
 
-/// What a mesh is asked where an error leaves two answers.
-pub(crate) trait Exact: Sync {
+/// Decides for a mesh where an error leaves two answers.
+pub(crate) trait Arbiter: Sync {
     /// Whether a triangle is seen from the side that is drawn.
     fn faces(&self, triangle: u32) -> bool;
 
@@ -100,7 +100,7 @@ pub(crate) struct Vertex {
 }
 
 /// A mesh on the screen, all of it before the eye; colours are interpolated perspectively.
-pub(crate) struct Mesh<'m, E: Exact> {
+pub(crate) struct Mesh<'m, A: Arbiter> {
     pub(crate) vertices: &'m [Vertex],
     /// Indices of vertices.
     pub(crate) triangles: &'m [[u32; 3]],
@@ -108,10 +108,10 @@ pub(crate) struct Mesh<'m, E: Exact> {
     pub(crate) turn: Option<f32>,
     /// How far off a coordinate is at most, in pixels, of where the vertex is seen exactly.
     pub(crate) blur: f32,
-    pub(crate) exact: &'m E,
+    pub(crate) arbiter: &'m A,
 }
 
-impl<E: Exact> Mesh<'_, E> {
+impl<A: Arbiter> Mesh<'_, A> {
     /// The corners of a triangle: their 1/w, and their colours.
     #[inline(always)]
     pub(super) fn corners(&self, triangle: usize) -> ([f32; 3], [f32x4; 3]) {
@@ -142,7 +142,7 @@ impl<E: Exact> Mesh<'_, E> {
 /// A vertex that is not there.
 static NO_VERTEX: Vertex = Vertex { place: [f32::NAN; 4], color: [0.0; 4] };
 
-impl<E: Exact> Source for Mesh<'_, E> {
+impl<A: Arbiter> Source for Mesh<'_, A> {
     fn count(&self) -> usize {
         self.triangles.len()
     }
@@ -184,7 +184,7 @@ impl<E: Exact> Source for Mesh<'_, E> {
         if open.iter().any(|&open| open) {
             for i in 0..LANES {
                 if open[i] && first + i < self.triangles.len() {
-                    averted[i] = !self.exact.faces((first + i) as u32);
+                    averted[i] = !self.arbiter.faces((first + i) as u32);
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! The two ways in which the triangles of a tile become colours.
 
 use super::{
-    Clear, Exact, Mesh, PaintOrder, Painter, Stats,
+    Arbiter, Clear, Mesh, PaintOrder, Painter, Stats,
     canvas::Strip,
     fill::Job,
     foremost::Foremost,
@@ -38,7 +38,7 @@ pub(super) trait Way: Sync {
 pub(super) struct Plain;
 
 /// By the colours at the vertices of a mesh.
-pub(super) struct Meshed<'p, E: Exact>(pub(super) &'p Mesh<'p, E>);
+pub(super) struct Meshed<'p, A: Arbiter>(pub(super) &'p Mesh<'p, A>);
 
 /// By a painter.
 pub(super) struct Painted<'p, P: Painter>(pub(super) &'p P);
@@ -85,23 +85,23 @@ impl Way for Plain {
     }
 }
 
-impl<E: Exact> Way for Meshed<'_, E> {
+impl<A: Arbiter> Way for Meshed<'_, A> {
     const COUNTS: bool = false;
     type Kit<'k>
-        = Smooth<'k, E>
+        = Smooth<'k, A>
     where
         Self: 'k;
 
-    fn kit(&self) -> Smooth<'_, E> {
+    fn kit(&self) -> Smooth<'_, A> {
         Smooth::new(self.0)
     }
 
-    fn draw(smooth: &mut Smooth<'_, E>, tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats) {
+    fn draw(smooth: &mut Smooth<'_, A>, tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats) {
         tile.draw_mesh(smooth, job, list, stats);
     }
 
     fn store(
-        _: &mut Smooth<'_, E>,
+        _: &mut Smooth<'_, A>,
         tile: &mut Tile,
         strip: &mut Strip<'_>,
         (_, left): (usize, u32),

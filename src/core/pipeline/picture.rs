@@ -17,12 +17,14 @@ use super::{
 use crate::{
     cull::{CullMode, FrontFace, facing},
     depth::{CompareFunction, DepthFormat, DepthState},
-    engine::{self, Canvas, Clear, Colors, Engine, Exact, Lanes, Mesh, Stencil, Threads, Triangles, Vertex},
+    engine::{
+        self, Arbiter, Canvas, Clear, Colors, Engine, Lanes, Mesh, Stencil, Threads, Triangles, Vertex,
+    },
     interpolate::{Interpolator, unorm},
     math::Tally,
     raster::{Samples, YAxis, edge::centre},
     scene::{self, Draw, Scene, Shade},
-    transform::{Matrix, Viewport, apply, chain::model_matrix, divide, matrices},
+    transform::{Chain, apply, divide},
 };
 use std::sync::Arc;
 
@@ -56,19 +58,10 @@ struct Seen {
     whole: Vec<Option<u32>>,
 }
 
-/// From object to clip space, step by step as in the pipeline.
-#[derive(Clone, Copy)]
-struct Chain {
-    model: Matrix,
-    view: Matrix,
-    projection: Matrix,
-}
-
-impl Chain {
-    #[inline(always)]
-    fn clip(&self, [x, y, z]: [f32; 3]) -> Point {
-        apply(&self.projection, apply(&self.view, apply(&self.model, [x, y, z, 1.0])))
-    }
+/// A vertex in clip space, step by step as in the pipeline.
+#[inline(always)]
+fn clip_space(chain: &Chain, [x, y, z]: [f32; 3]) -> Point {
+    apply(&chain.projection, apply(&chain.view, apply(&chain.model, [x, y, z, 1.0])))
 }
 
 impl Picture {
@@ -138,26 +131,16 @@ impl Picture {
         (scene, draw, mesh): (&Scene, &Draw, &Arc<scene::Mesh>),
         state: &engine::State,
     ) {
-        let viewport = Viewport { size: scene.size, depth_range: scene.depth_range, y_axis: scene.y_axis };
-        let chain = Chain {
-            model: model_matrix(&draw.transform),
-            view: matrices::view(&scene.camera),
-            projection: matrices::projection(
-                &scene.camera,
-                viewport.aspect(),
-                scene.depth_range,
-                scene.reversed,
-            ),
-        };
+        let chain = Chain::of(scene, draw);
         let key = CullKey::new(draw, scene.depth_range, Skips::ALL);
         let seen = &mut self.seen;
-        seen.transform(mesh, &chain, &viewport, &key);
+        seen.transform(mesh, &chain, &key);
         let is_clipped = seen.outcodes.iter().any(|&outcode| outcode != 0);
         if is_clipped {
-            seen.clip(mesh, &chain, &viewport, &key);
+            seen.clip(mesh, &chain, &key);
         }
         let triangles = if is_clipped { &seen.triangles } else { &mesh.triangles };
-        let asked = Asked { seen, mesh, triangles, is_clipped, chain, key };
+        let stages = Stages { seen, mesh, triangles, is_clipped, chain, key };
         let front = if draw.front == FrontFace::Ccw { 1.0 } else { -1.0 };
         let up = if scene.y_axis == YAxis::Up { front } else { -front };
         let mesh = Mesh {
@@ -169,7 +152,7 @@ impl Picture {
                 CullMode::Front => Some(-up),
             },
             blur: 2.0 * f32::EPSILON * scene.size[0].max(scene.size[1]) as f32,
-            exact: &asked,
+            arbiter: &stages,
         };
         self.engine.draw_mesh(canvas, clear.take(), &mesh, state);
     }
@@ -197,7 +180,7 @@ fn clear_of(state: &ImageState) -> Clear {
 
 impl Seen {
     /// All vertices to the screen.
-    fn transform(&mut self, mesh: &Arc<scene::Mesh>, chain: &Chain, viewport: &Viewport, key: &CullKey) {
+    fn transform(&mut self, mesh: &Arc<scene::Mesh>, chain: &Chain, key: &CullKey) {
         self.screen.resize(mesh.positions.len(), Vertex::default());
         self.outcodes.resize(mesh.positions.len(), 0);
         if !Arc::ptr_eq(mesh, &self.mesh) {
@@ -210,22 +193,22 @@ impl Seen {
             || {
                 let out = self.screen.iter_mut().zip(&mut self.outcodes);
                 for ((screen, outcode), position) in out.zip(&mesh.positions) {
-                    let clip = chain.clip(*position);
+                    let clip = clip_space(chain, *position);
                     *outcode = key.visible.outcode(clip);
-                    screen.place = viewport.to_screen(divide(clip));
+                    screen.place = chain.viewport.to_screen(divide(clip));
                 }
             },
         );
     }
 
     /// What is left of all triangles, in order.
-    fn clip(&mut self, mesh: &scene::Mesh, chain: &Chain, viewport: &Viewport, key: &CullKey) {
+    fn clip(&mut self, mesh: &scene::Mesh, chain: &Chain, key: &CullKey) {
         let Self { screen, outcodes, triangles, whole, .. } = self;
         triangles.clear();
         whole.clear();
         let (lit, tally) = (Lit::default(), &mut Tally::default());
         let varyings = Varyings::new(mesh, &lit);
-        let clip: Vec<_> = mesh.positions.iter().map(|position| chain.clip(*position)).collect();
+        let clip: Vec<_> = mesh.positions.iter().map(|position| clip_space(chain, *position)).collect();
         for (index, triangle) in (0..).zip(&mesh.triangles) {
             let [a, b, c] = triangle.map(|i| outcodes[i as usize]);
             if a | b | c == 0 {
@@ -240,12 +223,10 @@ impl Seen {
             let mut left = Clipped::default();
             left.push(index, false, &clip, &varyings, key.visible);
             let first = screen.len() as u32;
-            screen.extend(
-                left.corners.iter().zip(&left.colors).map(|(corner, color)| Vertex {
-                    place: viewport.to_screen(divide(*corner)),
-                    color: *color,
-                }),
-            );
+            screen.extend(left.corners.iter().zip(&left.colors).map(|(corner, color)| Vertex {
+                place: chain.viewport.to_screen(divide(*corner)),
+                color: *color,
+            }));
             triangles.extend(left.pieces.iter().map(|piece| piece.corners.map(|corner| first + corner)));
             whole.extend(left.pieces.iter().map(|_| None));
         }
@@ -253,7 +234,7 @@ impl Seen {
 }
 
 /// The exact stages, for what is asked of them.
-struct Asked<'a> {
+struct Stages<'a> {
     seen: &'a Seen,
     mesh: &'a scene::Mesh,
     triangles: &'a [[u32; 3]],
@@ -262,13 +243,13 @@ struct Asked<'a> {
     key: CullKey,
 }
 
-impl Exact for Asked<'_> {
+impl Arbiter for Stages<'_> {
     fn faces(&self, triangle: u32) -> bool {
         let triangle = if self.is_clipped { self.seen.whole[triangle as usize] } else { Some(triangle) };
         // What was clipped faced the eye.
         let Some(triangle) = triangle else { return true };
         let vertices = self.mesh.triangles[triangle as usize].map(|i| self.mesh.positions[i as usize]);
-        let clip = vertices.map(|vertex| self.chain.clip(vertex));
+        let clip = vertices.map(|vertex| clip_space(&self.chain, vertex));
         !self.key.mode.drops(facing(clip, self.key.front, &mut Tally::default()))
     }
 

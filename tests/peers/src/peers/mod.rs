@@ -64,10 +64,8 @@ pub fn painters() -> Vec<Maker<Soup>> {
 
 /// Everybody who draws meshes through a pipeline.
 pub fn mesh_painters() -> Vec<Maker<Sight>> {
-    vec![
-        Box::new(pipeline::picture_painter),
-        Box::new(pipeline::mesh_painter),
-        Box::new(euc::mesh_painter),
-        Box::new(retrofire::mesh_painter),
-    ]
+    let mut makers = Vec::from(pipeline::mesh_painters());
+    makers.push(Box::new(euc::mesh_painter));
+    makers.push(Box::new(retrofire::mesh_painter));
+    makers
 }

@@ -89,15 +89,15 @@ fn first_image(path: String) -> Row {
 /// What an image is drawn by.
 enum By {
     /// With all stages' outputs and counts.
-    Pipeline(Pipeline),
+    Pipeline(Box<Pipeline>),
     /// The image alone.
-    Picture(Picture),
+    Picture(Box<Picture>),
 }
 
 impl By {
     fn name(&self) -> &'static str {
         match self {
-            Self::Pipeline(Pipeline { rasterizer: Rasterizer::Engine, .. }) => "engine",
+            Self::Pipeline(pipeline) if pipeline.rasterizer == Rasterizer::Engine => "engine",
             Self::Pipeline(_) => "scan line",
             Self::Picture(_) => "image alone",
         }
@@ -167,7 +167,7 @@ fn main() {
     rows.extend(std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).map(first_image));
     for path in std::env::args().skip(1).filter(|arg| !arg.starts_with('-')) {
         for rasterizer in [Rasterizer::Each(Algorithm::Scanline), Rasterizer::Engine] {
-            let by = || By::Pipeline(Pipeline::new(rasterizer));
+            let by = || By::Pipeline(Box::new(Pipeline::new(rasterizer)));
             rows.push(orbit(&path, by(), "depth", |_| ()));
             rows.push(orbit(&path, by(), "stencil", |draw| draw.stencil = Some(counting())));
             rows.push(orbit(&path, by(), "blending", |draw| draw.blend = Some(Mode::Over.state())));
@@ -175,8 +175,10 @@ fn main() {
         let mut picture = Picture::default();
         picture.set_threads(Threads::available());
         // Without the light that a model is opened with.
-        rows.push(orbit(&path, By::Picture(picture), "depth, unlit", |draw| draw.shade = Shade::None));
-        let pipeline = By::Pipeline(Pipeline::default());
+        rows.push(orbit(&path, By::Picture(Box::new(picture)), "depth, unlit", |draw| {
+            draw.shade = Shade::None;
+        }));
+        let pipeline = By::Pipeline(Box::default());
         rows.push(orbit(&path, pipeline, "depth, unlit", |draw| draw.shade = Shade::None));
     }
     for _ in 0..ROUNDS {

@@ -31,8 +31,26 @@ pub fn blend(
     stored: [u8; 4],
     tally: &mut Tally,
 ) -> [u8; 4] {
-    [0, 1, 2, 3].map(|channel| blend_channel(state, channel, source, &exact, stored, tally))
+    let mut codes = [0; 4];
+    for channel in 0..4 {
+        codes[channel] = blend_channel(state, channel, source, &exact, stored, tally);
+    }
+    codes
 }
+
+/// What stored codes mean: n/255, off by at most one rounding.
+static MEANT: [Approx; 256] = {
+    let mut meant = [Approx::exact(0.0); 256];
+    let mut code = 0;
+    while code < 256 {
+        let value = code as f64 / 255.0;
+        // Half an ULP is at most this; 0 and 1 are exact.
+        let error = if code % 255 == 0 { 0.0 } else { f64::EPSILON / 2.0 * value };
+        meant[code] = Approx { value, error };
+        code += 1;
+    }
+    meant
+};
 
 /// One channel of [`blend`]: 0 red, 1 green, 2 blue, 3 alpha.
 #[inline]
@@ -46,7 +64,7 @@ pub fn blend_channel(
 ) -> u8 {
     let component = (state.component(channel), state.constant[channel]);
     let near = {
-        let stored = stored.map(|code| Approx::exact(f64::from(code)) / Approx::exact(255.0));
+        let stored = stored.map(|code| MEANT[usize::from(code)]);
         equation(component, source, stored, channel)
     };
     let tail = || {
@@ -92,6 +110,7 @@ impl Terms {
 }
 
 /// One channel of the result, before rounding and clamping.
+#[inline]
 fn equation<N: Number>(
     (component, constant): (&BlendComponent, f32),
     source: [N; 4],
@@ -115,6 +134,7 @@ fn equation<N: Number>(
 }
 
 /// The value of a factor for one channel.
+#[inline]
 fn factor<N: Number>(
     (factor, constant): (BlendFactor, f32),
     source: [N; 4],

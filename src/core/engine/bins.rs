@@ -6,7 +6,7 @@ use super::{
     Stats,
     canvas::{TILE, tiles},
     group::{Entry, Group, List},
-    lanes::{LANES, larger, lesser, whole},
+    lanes::{LANES, larger, lesser, mask, whole},
     source::Source,
     state::Rules,
 };
@@ -57,21 +57,23 @@ impl Bins {
                 group.put(half, [a, b, c, d]);
             }
             let mut boxes = Boxes::new(&group, size);
-            boxes.leave_out(&triangles.averted(start, &group));
+            boxes.leave_out(&triangles.averted(start, &group), count);
+            let [area, some] = boxes.sums();
+            self.area += area;
+            self.count += some;
+            stats.culled += count as u64 - some;
+            let tiles = boxes.tiles(self.columns as u32);
             for i in 0..count {
-                let [left, right, top, bottom] = boxes.pixels.map(|ends| ends[i]);
                 if !boxes.some[i] {
-                    stats.culled += 1;
                     continue;
                 }
                 let entry = || triangles.entry(start + i, rules.counts);
-                self.area += u64::from(right - left + 1) * u64::from(bottom - top + 1);
-                self.count += 1;
-                let [left, right, top, bottom] =
-                    [left, right, top, bottom].map(|pixel| pixel as usize / TILE);
-                if left == right && top == bottom {
-                    self.lists[top * self.columns + left].push(entry());
-                } else if rules.tile && right - left > 1 && bottom - top > 1 {
+                if tiles.one[i] != 0 {
+                    self.lists[tiles.first[i] as usize].push(entry());
+                    continue;
+                }
+                let [left, right, top, bottom] = boxes.pixels.map(|ends| ends[i] as usize / TILE);
+                if rules.tile && right - left > 1 && bottom - top > 1 {
                     self.push_large(entry(), [left, right, top, bottom], stats);
                 } else {
                     let entry = entry();
@@ -135,6 +137,14 @@ impl Sides {
 /// Pixels of the box around a triangle of which large parts can be hidden.
 const LARGE: u64 = 256;
 
+/// Where the boxes around a few triangles begin.
+struct Tiles {
+    /// The number of the tile.
+    first: [u32; LANES],
+    /// Whether the box lies in that alone: all bits or none.
+    one: [u32; LANES],
+}
+
 /// The boxes around a few triangles.
 struct Boxes {
     /// First and last column, first and last row of the centres in each.
@@ -179,10 +189,43 @@ impl Boxes {
         boxes
     }
 
+    /// Leaves triangles out, and all from a lane on.
     #[inline(always)]
-    fn leave_out(&mut self, which: &[bool; LANES]) {
+    fn leave_out(&mut self, which: &[bool; LANES], end: usize) {
         for i in 0..LANES {
-            self.some[i] &= !which[i];
+            self.some[i] &= !which[i] & (i < end);
         }
+    }
+
+    /// How many pixels they have, and how many there are.
+    #[inline(always)]
+    fn sums(&self) -> [u64; 2] {
+        let [left, right, top, bottom] = &self.pixels;
+        let (mut area, mut count) = (0, 0);
+        for i in 0..LANES {
+            // At most 2^28 pixels each.
+            let pixels = right[i]
+                .wrapping_sub(left[i])
+                .wrapping_add(1)
+                .wrapping_mul(bottom[i].wrapping_sub(top[i]).wrapping_add(1));
+            area += u64::from(pixels & mask(self.some[i]));
+            count += u64::from(self.some[i]);
+        }
+        [area, count]
+    }
+
+    /// The tiles in which they begin.
+    #[inline(always)]
+    fn tiles(&self, columns: u32) -> Tiles {
+        let mut tiles = Tiles { first: [0; LANES], one: [0; LANES] };
+        let [left, right, top, bottom] = &self.pixels;
+        for i in 0..LANES {
+            let size = TILE as u32;
+            let [left, right, top, bottom] =
+                [left[i] / size, right[i] / size, top[i] / size, bottom[i] / size];
+            tiles.first[i] = top * columns + left;
+            tiles.one[i] = mask(left == right) & mask(top == bottom);
+        }
+        tiles
     }
 }

@@ -158,14 +158,11 @@ impl Strip<'_> {
         u64::from((self.width - left).min(TILE as u32)) * u64::from(self.rows)
     }
 
-    /// The rows of such a tile: where they lie in the buffers, and where in the tile.
-    pub(super) fn rows(&self, left: u32) -> impl Iterator<Item = (Range<usize>, usize)> + use<> {
+    /// Where the rows of such a tile lie in the buffers.
+    pub(super) fn rows(&self, left: u32) -> impl Iterator<Item = Range<usize>> + Clone + use<> {
         let (width, left) = (self.width as usize, left as usize);
         let columns = TILE.min(width - left);
-        (0..self.rows as usize).map(move |row| {
-            let at = row * width + left;
-            (at..at + columns, row * TILE)
-        })
+        (0..self.rows as usize).map(move |row| row * width + left..row * width + left + columns)
     }
 }
 

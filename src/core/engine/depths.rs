@@ -1,9 +1,9 @@
-//! The depths of a row's pixels, in binary32: a few pixels at once, with a proven error.
+//! The depths of a stamp's pixels, in binary32: all at once, with a proven error.
 //!
-//! A depth is the sum of what its row begins with and what its column adds. Both are split in two: a multiple of a
-//! grid that binary32 holds up to the greatest depth, and a rest of at most half a step. The multiples add up exactly
-//! and the rests nearly so; the last sum, of both, is the only one that rounds. Done for both ends of an interval,
-//! it gives the correctly rounded depth where the ends agree.
+//! A depth is the sum of what its stamp begins with and what its column and its row add. All of these are split in two: a
+//! multiple of a grid that binary32 holds up to the greatest depth, and a rest of at most half a step. The multiples add
+//! up exactly and the rests nearly so; the last sum, of both, is the only one that rounds. Done for both ends of an
+//! interval, it gives the correctly rounded depth where the ends agree.
 //!
 //! *Source:* Dekker, A Floating-Point Technique for Extending the Available Precision, 1971 (numbers in two pieces);
 //! Rump, Ogita, Oishi, Accurate Floating-Point Summation, 2008 (pieces on one grid, so that their sum is exact).
@@ -11,21 +11,23 @@
 use super::{
     lanes::{LANES, Wide},
     setup::Setup,
+    stamp::{Each, STAMP, Steps},
 };
 
-/// What the columns take away, from the first one on: on the grid, and the rest.
+/// What the pixels of a stamp take away, from the first one on: on the grid, and the rest.
 #[derive(Clone, Copy)]
-pub(super) struct Across<const N: usize> {
-    grid: [f32; N],
-    rest: [f32; N],
+#[repr(align(64))]
+pub(super) struct Across {
+    grid: Each<f32>,
+    rest: Each<f32>,
 }
 
-impl<const N: usize> Across<N> {
+impl Across {
     /// None.
-    pub(super) const NOTHING: Self = Self { grid: [0.0; N], rest: [0.0; N] };
+    pub(super) const NOTHING: Self = Self { grid: [0.0; STAMP], rest: [0.0; STAMP] };
 }
 
-/// What rows begin with on the grid, and less the rest: a little too near and too far.
+/// What stamps begin with on the grid, and less the rest: a little too near and too far.
 ///
 /// Everything is subtracted, for the compiler exchanges the terms of sums when it looks for what can be done in
 /// lanes, and then has to exchange the lanes.
@@ -59,7 +61,7 @@ impl Starts {
     }
 }
 
-/// What one row begins with.
+/// What one stamp begins with.
 #[derive(Clone, Copy)]
 pub(super) struct Start {
     grid: f32,
@@ -68,11 +70,11 @@ pub(super) struct Start {
 }
 
 impl Start {
-    /// The depths along the row, a little too near and too far, each rounded to nearest.
+    /// The depths of the pixels, a little too near and too far, each rounded to nearest.
     #[inline(always)]
-    pub(super) fn along<const N: usize>(self, across: &Across<N>) -> [[f32; N]; 2] {
-        let (mut near, mut far) = ([0.0; N], [0.0; N]);
-        for i in 0..N {
+    pub(super) fn along(self, across: &Across) -> [Each<f32>; 2] {
+        let (mut near, mut far) = ([0.0; STAMP], [0.0; STAMP]);
+        for i in 0..STAMP {
             let grid = self.grid - across.grid[i];
             near[i] = grid - (self.near - across.rest[i]);
             far[i] = grid - (self.far - across.rest[i]);
@@ -82,64 +84,43 @@ impl Start {
 }
 
 impl Setup {
-    /// What the columns add to the depth of the triangle in a lane.
+    /// What columns and rows add to the depth of the triangle in a lane.
     #[inline(always)]
-    pub(super) fn across<const N: usize>(&self, lane: usize) -> Across<N> {
-        let (slope, anchor) = (self.dz_dx[lane], self.anchor[lane]);
-        let mut across = Across { grid: [0.0; N], rest: [0.0; N] };
-        for i in 0..N {
-            let along = -slope * i as f64;
-            let grid = (along + anchor) - anchor;
-            across.grid[i] = grid as f32;
-            across.rest[i] = (grid - along) as f32;
+    pub(super) fn across(&self, lane: usize, Steps { x, y }: &Steps) -> Across {
+        let [column, row] = &self.steps;
+        let mut across = Across::NOTHING;
+        for i in 0..STAMP {
+            across.grid[i] = column.grid[lane] * x[i] + row.grid[lane] * y[i];
+            across.rest[i] = column.rest[lane] * x[i] + row.rest[lane] * y[i];
         }
         across
     }
 
-    /// The depths at the first column of the tile in the rows from `top` on, of the triangle in a lane.
+    /// What the stamps of a block begin with in the triangle of a lane, given their first columns and rows.
     #[inline(always)]
-    pub(super) fn down(&self, lane: usize, top: usize) -> Wide {
-        let mut down = [0.0; LANES];
-        for i in 0..LANES {
-            down[i] = self.depth[lane] + self.dz_dy[lane] * (top + i) as f64;
-        }
-        down
-    }
-
-    /// What these rows begin with at column `x`.
-    #[inline(always)]
-    pub(super) fn starts(&self, lane: usize, x: usize, down: &Wide) -> Starts {
+    pub(super) fn starts(&self, lane: usize, [x, y]: [&Wide; 2]) -> Starts {
         let mut starts = Starts::NOTHING;
-        let along = self.dz_dx[lane] * x as f64;
         for i in 0..LANES {
-            starts.put(i, down[i] + along, self.slack[lane], self.anchor[lane]);
+            let depth = (self.depth[lane] + self.dz_dy[lane] * y[i]) + self.dz_dx[lane] * x[i];
+            starts.put(i, depth, self.slack[lane], self.anchor[lane]);
         }
         starts
     }
 
-    /// The depths of all triangles in the tile's first row, at column `x` of each.
+    /// What a stamp of each triangle begins with, given its first column and row.
     #[inline(always)]
-    pub(super) fn at_columns(&self, x: &[u32; LANES]) -> Wide {
-        let mut depths = [0.0; LANES];
-        for i in 0..LANES {
-            depths[i] = self.depth[i] + self.dz_dx[i] * f64::from(x[i] as i32);
-        }
-        depths
-    }
-
-    /// What row `y` of each triangle begins with, at the column of those depths.
-    #[inline(always)]
-    pub(super) fn starts_of_all(&self, depths: &Wide, y: &Wide) -> Starts {
+    pub(super) fn starts_of_all(&self, [x, y]: [&Wide; 2]) -> Starts {
         let mut starts = Starts::NOTHING;
         for i in 0..LANES {
-            starts.put(i, depths[i] + self.dz_dy[i] * y[i], self.slack[i], self.anchor[i]);
+            let depth = (self.depth[i] + self.dz_dy[i] * y[i]) + self.dz_dx[i] * x[i];
+            starts.put(i, depth, self.slack[i], self.anchor[i]);
         }
         starts
     }
 
     /// The depth of the triangle in a lane at a pixel, a little too near and too far.
     #[inline(always)]
-    pub(super) fn interval(&self, lane: usize, x: usize, y: usize) -> [f64; 2] {
+    pub(super) fn interval(&self, lane: usize, [x, y]: [usize; 2]) -> [f64; 2] {
         let depth = (self.depth[lane] + self.dz_dy[lane] * y as f64) + self.dz_dx[lane] * x as f64;
         [depth - self.error[lane], depth + self.error[lane]]
     }

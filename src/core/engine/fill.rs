@@ -1,4 +1,4 @@
-//! Triangles into a tile: band by band of rows, block by block of columns, and the pixels of a row at once.
+//! Triangles into a tile: band by band of rows, block by block of columns, and the pixels of a stamp at once.
 //!
 //! *Source:* Greene, Kass, Miller, Hierarchical Z-Buffer Visibility, SIGGRAPH 1993; Giesen, Optimizing Software
 //! Occlusion Culling, 2013. Deviation: a depth is tested as an interval around the exact one.
@@ -11,10 +11,13 @@ use super::{
     group::{Entry, Group},
     ink::{Flat, Ink},
     lanes::{LANES, Wide, greatest, least},
-    pixels::{Covered, Pixels, Place},
+    noted::Noted,
+    pixels::{Covered, Pixels},
     rows::{Band, Exact, Left, Rows},
     setup::Setup,
+    sides::Sides,
     small::Small,
+    stamp::{Each, Place, SIDE, STAMP},
     state::Rules,
     test::{Any, Codes, First, Masked, Nearer, Test},
     tile::{BLOCK, Tile},
@@ -41,7 +44,9 @@ pub(super) struct Subject<'a> {
     pub(super) job: Job<'a>,
     pub(super) group: &'a Group,
     pub(super) setup: &'a Setup,
-    /// Its lane in both.
+    /// Of triangles that are not small.
+    pub(super) sides: &'a Sides,
+    /// Its lane in all of them.
     pub(super) lane: usize,
 }
 
@@ -49,18 +54,9 @@ pub(super) struct Subject<'a> {
 struct Pen<'a> {
     subject: &'a Subject<'a>,
     small: &'a Small,
-    /// What depth adds at each column of a block.
-    across: Across<BLOCK>,
-}
-
-/// [`BLOCK`] columns of a band.
-struct Piece<'a> {
-    /// First column.
-    x: usize,
-    /// First row of the band.
-    top: usize,
-    /// The depths at the first column of the tile in all rows of the band.
-    down: &'a Wide,
+    /// What the pixels of a stamp add to the depth, and to the half-planes if they are asked for.
+    across: Across,
+    offsets: [Each<f32>; 3],
 }
 
 impl Tile {
@@ -103,7 +99,7 @@ impl Tile {
         (list, order): (&[Entry], Option<&Foremost>),
         stats: &mut Stats,
     ) {
-        let small = &mut Small::none();
+        let (small, sides, noted) = (&mut Small::none(), &mut Sides::none(), &mut Noted::nothing());
         job.state.lanes.run(
             #[inline(always)]
             || {
@@ -118,19 +114,20 @@ impl Tile {
                         Some(order) => Group::at(&order.order[start..], list),
                     };
                     let farthest = if T::TIES { farthest.next_up() } else { farthest };
-                    let setup = &Setup::new((group, small), (job.origin, farthest), job.rules, stats);
+                    let setup = &Setup::new(group, (small, sides), (job.origin, farthest), job.rules, stats);
                     ink.fetch(list.get(start + LANES..).unwrap_or_default());
                     ink.set_up(group, setup, small);
+                    let (small, sides) = (&*small, &*sides);
                     let mut lane = 0;
                     while lane < LANES {
-                        let subject = |lane| Subject { job, group, setup, lane };
+                        let subject = |lane| Subject { job, group, setup, sides, lane };
                         while lane < LANES && (small.fits[lane] || setup.is_empty(lane)) {
                             if !setup.is_empty(lane) {
-                                self.small_triangle::<T, I>(small, &subject(lane), stats);
+                                self.small_triangle::<T, I>((noted, small), &subject(lane), stats);
                             }
                             lane += 1;
                         }
-                        self.small_pieces((test, &mut *ink), small, subject(0), stats);
+                        self.small_stamps((test, &mut *ink), (noted, small), subject(0), stats);
                         if lane < LANES {
                             self.triangle((test, &mut *ink), (&subject(lane), small), stats);
                             lane += 1;
@@ -149,9 +146,11 @@ impl Tile {
         stats: &mut Stats,
     ) {
         let Subject { job, setup, lane, .. } = *subject;
-        let pen = Pen { subject, small, across: setup.across(lane) };
+        let offsets = if I::SHADES { small.offsets(lane) } else { [[0.0; STAMP]; 3] };
+        let pen = Pen { subject, small, across: setup.across(lane, &small.steps), offsets };
         let [left, right] = [0, 1].map(|end| setup.columns[end][lane] as usize);
-        let narrow = right - left <= BLOCK;
+        let start = (left & !(SIDE - 1)).min(TILE - BLOCK);
+        let narrow = right - start <= BLOCK;
         let [first, last] = [0, 1].map(|end| setup.rows[end][lane]);
         // Of very small triangles nothing is worth asking.
         let hides = job.rules.hierarchical_z && last - first >= SMALL;
@@ -172,7 +171,7 @@ impl Tile {
                 continue;
             }
             let band = Band { top, first, last };
-            let rows = Rows::new(setup, lane, (band, left_tile), || pen.edges(), stats);
+            let rows = Rows::new(subject.sides, lane, (band, left_tile), || pen.edges(), stats);
             if rows.any == 0 {
                 continue;
             }
@@ -183,12 +182,10 @@ impl Tile {
                 continue;
             }
             let top = top as usize;
-            let down = &setup.down(lane, top);
             if narrow {
                 stats.blocks += 1;
-                let x = left.min(TILE - BLOCK);
-                self.age(x, top, BLOCK);
-                self.fill((test, &mut *ink), Piece { x, top, down }, &rows, &pen, stats);
+                self.age(start, top, BLOCK);
+                self.fill((test, &mut *ink), [start, top], &rows, &pen, stats);
                 continue;
             }
             let [begin, end] =
@@ -206,36 +203,45 @@ impl Tile {
                 }
                 stats.blocks += 1;
                 self.age(x, top, BLOCK);
-                let piece = Piece { x, top, down };
-                self.fill((test, &mut *ink), piece, &rows, &pen, stats);
+                self.fill((test, &mut *ink), [x, top], &rows, &pen, stats);
             }
         }
     }
 
-    /// The pixels of a piece.
+    /// The pixels of a block, given its first column and row.
     #[inline(always)]
     fn fill<T: Test, I: Ink>(
         &mut self,
         (test, ink): (T, &mut I),
-        piece: Piece<'_>,
+        [left, top]: [usize; 2],
         rows: &Rows,
         pen: &Pen<'_>,
         stats: &mut Stats,
     ) {
-        let Pen { subject, across, .. } = pen;
-        let starts = subject.setup.starts(subject.lane, piece.x, piece.down);
-        let mut some = 0;
+        let Pen { subject, small, across, offsets } = pen;
+        let (mut x, mut y): (Wide, Wide) = ([0.0; LANES], [0.0; LANES]);
         for i in 0..LANES {
-            some |= u32::from(rows.bits[i] >> piece.x & FULL != 0) << i;
+            x[i] = (left + i % (BLOCK / SIDE) * SIDE) as f64;
+            y[i] = (top + i / (BLOCK / SIDE) * SIDE) as f64;
         }
+        let starts = subject.setup.starts(subject.lane, [&x, &y]);
+        let begins = if I::SHADES { small.begins(subject.lane, [&x, &y]) } else { [[0.0; LANES]; 3] };
+        let mut some = rows.stamps(left);
         while some != 0 {
-            let row = some.trailing_zeros() as usize % LANES;
+            let i = some.trailing_zeros() as usize / SIDE % LANES;
             some &= some - 1;
-            let at = [piece.x, piece.top + row];
-            let pixels = Pixels { place: Place { at }, start: starts.at(row), across };
-            let planes = if I::SHADES { pen.small.planes(subject, at) } else { [[0.0; BLOCK]; 3] };
-            let covered = Covered::bits((rows.bits[row] >> piece.x) as u32, planes);
-            self.row_of_pixels((test, &mut *ink), (&pixels, covered), subject, stats);
+            let [column, row] = [left + i % (BLOCK / SIDE) * SIDE, i / (BLOCK / SIDE) * SIDE];
+            let pixels = Pixels { place: Place::of([column, top + row]), start: starts.at(i), across };
+            let mut planes = [[0.0; STAMP]; 3];
+            if I::SHADES {
+                for edge in 0..3 {
+                    for pixel in 0..STAMP {
+                        planes[edge][pixel] = begins[edge][i] + offsets[edge][pixel];
+                    }
+                }
+            }
+            let covered = Covered { pixels: rows.covered([column, row]), planes };
+            self.stamped((test, &mut *ink), (&pixels, covered), subject, stats);
         }
     }
 }

@@ -7,6 +7,7 @@ use super::lanes::LANES;
 use wide::f32x4;
 
 /// Up to [`LANES`] triangles, one a lane; those that are missing have no area.
+#[repr(align(64))]
 pub(super) struct Group {
     /// Vertices: x and y in pixels, depth.
     pub(super) corners: [[[f32; LANES]; 3]; 3],

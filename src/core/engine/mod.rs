@@ -8,12 +8,12 @@
 //! How: the image is cut into tiles whose colours and depths fit the first-level cache ([`Canvas`]). Triangles, or those
 //! of a mesh that are seen from the right side (`source`), are first sorted into the tiles that their boxes meet
 //! (`bins`); then each tile is drawn for itself, from its clear values if it is to be cleared, and written out once
-//! (`tile`); where much is hidden, front to back (`foremost`). A few triangles are set up at once (`setup`). Of small
-//! ones a few pixels are held against the edges at once (`small`), of others a few rows are found at once (`rows`); the
-//! depths of a few pixels are found (`depths`), tested (`pixels`) and, in a mesh, coloured (`smooth`) at once, each time
-//! one a lane of the vector unit (`lanes`). What is computed is an interval around the exact number. Nearly always both
-//! its ends give the same answer, the same binary32 depth or the same code, which is the exact one's then; else the
-//! exact predicates decide, and that is counted.
+//! (`tile`); where much is hidden, front to back (`foremost`). A few triangles are set up at once (`setup`). From then on
+//! it goes by stamps of 4 x 4 pixels (`stamp`). Those that a small triangle may meet are held against its edges (`small`, `noted`);
+//! of other triangles a few rows are found at once (`sides`, `rows`). The depths of a stamp's pixels are found (`depths`),
+//! tested (`pixels`) and, in a mesh, coloured (`smooth`) at once, each one a lane of the vector unit (`lanes`). What is
+//! computed is an interval around the exact number. Nearly always both its ends give the same answer, the same binary32
+//! depth or the same code, which is the exact one's then; else the exact predicates decide, and that is counted.
 //!
 //! Space: screen; x and y in pixels, centres at + 0.5, rows counted along the y axis; depth as given. Any finite
 //! numbers; a triangle with another one is not drawn, nor one of zero area. Off the image nothing is drawn.
@@ -24,7 +24,7 @@
 //! *Source:* Pineda, A Parallel Algorithm for Polygon Rasterization, SIGGRAPH 1988; Greene, Kass, Miller,
 //! Hierarchical Z-Buffer Visibility, SIGGRAPH 1993; Abrash, Rasterization on Larrabee, 2009 (tiles, lanes);
 //! Giesen, Optimizing Software Occlusion Culling, 2013. Deviation: no vertex is snapped; edge functions are not
-//! stepped but computed anew, with an error, and rows of large triangles are found by intervals.
+//! stepped from stamp to stamp but computed anew, with an error, and rows of large triangles are found by intervals.
 
 mod bins;
 mod canvas;
@@ -34,13 +34,16 @@ mod foremost;
 mod group;
 mod ink;
 mod lanes;
+mod noted;
 mod paint;
 mod pixels;
 mod rows;
 mod setup;
+mod sides;
 mod small;
 mod smooth;
 mod source;
+mod stamp;
 mod state;
 mod stats;
 mod test;
@@ -52,7 +55,7 @@ pub use canvas::{Canvas, Clear, Stencil};
 pub use lanes::Lanes;
 pub(crate) use lanes::{greatest, least};
 pub use paint::{PaintOrder, Painter};
-pub(crate) use source::{Arbiter, Mesh, Vertex};
+pub(crate) use source::{Arbiter, Mesh, Range, Vertex};
 pub use state::{DepthStore, State};
 pub use stats::Stats;
 pub use threads::Threads;
@@ -229,12 +232,18 @@ impl FrameJob<'_> {
             }
             stats.binned += list.len() as u64;
             match &clear {
-                Some(clear) => tile.clear(clear),
+                Some(clear) => state.lanes.run(
+                    #[inline(always)]
+                    || tile.clear(clear),
+                ),
                 None => tile.load(strip, left),
             }
             let job = Job { origin: [left, strip.top], state, rules };
             W::draw(kit, tile, job, list, stats);
-            W::store(kit, tile, strip, (index, left), clear.as_ref(), stats);
+            state.lanes.run(
+                #[inline(always)]
+                || W::store(kit, tile, strip, (index, left), clear.as_ref(), stats),
+            );
             strip.clean[index] = false;
         }
     }

@@ -7,7 +7,9 @@ use super::{
     fill::Job,
     group::Group,
     lanes::{LANES, Wide, greatest, integer, least, mask},
-    setup::Setup,
+    sides::Sides,
+    stamp::{Each, SIDE, STAMP},
+    tile::BLOCK,
 };
 use crate::math::Tally;
 use crate::raster::{Edge, Edges};
@@ -21,6 +23,7 @@ pub(super) struct Rows {
     end: [u32; LANES],
     /// The same with a bit for each column.
     pub(super) bits: [u64; LANES],
+    width: [u32; LANES],
     /// What is covered in any of them, and what in all; of rows that are not asked for nothing is.
     pub(super) any: u64,
     pub(super) all: u64,
@@ -46,10 +49,10 @@ pub(super) struct Band {
 }
 
 impl Rows {
-    /// The rows of the triangle in one lane of a set-up. `exact` makes its edges if they are needed.
+    /// The rows of the triangle in one lane. `exact` makes its edges if they are needed.
     #[inline(always)]
     pub(super) fn new(
-        setup: &Setup,
+        sides: &Sides,
         lane: usize,
         (band, beside): (Band, Left),
         exact: impl Fn() -> Exact,
@@ -58,7 +61,7 @@ impl Rows {
         let mut left = [[f64::NEG_INFINITY; LANES]; 2];
         let mut right = [[f64::INFINITY; LANES]; 2];
         let top = f64::from(band.top);
-        for crossings in &setup.edges {
+        for crossings in &sides.edges {
             let (y, slope) = (crossings.y[lane], crossings.slope[lane]);
             let (l, r) = (crossings.left[lane], crossings.right[lane]);
             for i in 0..LANES {
@@ -67,7 +70,7 @@ impl Rows {
                 right[0][i] = least(right[0][i], along + r);
             }
         }
-        let doubt = setup.doubt[lane];
+        let doubt = sides.doubt[lane];
         for i in 0..LANES {
             left[1][i] = left[0][i] + doubt;
             right[1][i] = right[0][i] + doubt;
@@ -76,6 +79,7 @@ impl Rows {
             begin: [0; LANES],
             end: [0; LANES],
             bits: [0; LANES],
+            width: [0; LANES],
             any: 0,
             all: u64::MAX,
             continued: 0,
@@ -99,12 +103,40 @@ impl Rows {
         if beside == Left::Asked {
             for i in 0..LANES {
                 if rows.begin[i] == 0 && rows.end[i] > 0 && left[0][i] <= -1.0 {
-                    let goes_on = left[1][i] <= -1.0 || exact().covers_left(band.top + i as u32, stats);
+                    let first = [0, band.top as usize + i];
+                    let goes_on = left[1][i] <= -1.0 || exact().covers_before(first, stats);
                     rows.continued += u32::from(goes_on);
                 }
             }
         }
         rows
+    }
+
+    /// Which stamps of a block have a covered pixel, given its first column: every fourth bit, the first lowest.
+    #[inline(always)]
+    pub(super) fn stamps(&self, left: usize) -> u32 {
+        const { assert!(SIDE == 4 && BLOCK == 16 && LANES == 2 * SIDE) }
+        let [a, b, c, d, e, f, g, h] = self.bits;
+        let upper = (a | b | c | d) >> left & 0xffff;
+        let lower = (e | f | g | h) >> left & 0xffff;
+        let any = upper as u32 | (lower as u32) << BLOCK;
+        // Those of each four come together in the first.
+        let any = any | any >> 1;
+        (any | any >> 2) & 0x1111_1111
+    }
+
+    /// What is covered of a stamp, given its first column, and its first row in the band.
+    #[inline(always)]
+    pub(super) fn covered(&self, [left, top]: [usize; 2]) -> Each<u32> {
+        let half = top / SIDE % (LANES / SIDE);
+        let (begin, width) =
+            (&self.begin.as_chunks::<SIDE>().0[half], &self.width.as_chunks::<SIDE>().0[half]);
+        let mut covered = [0; STAMP];
+        for i in 0..STAMP {
+            let x = (left + i % SIDE) as u32;
+            covered[i] = mask(x.wrapping_sub(begin[i / SIDE]) < width[i / SIDE]);
+        }
+        covered
     }
 
     /// Counts the pixels of all rows, and the spans that begin here.
@@ -128,6 +160,9 @@ impl Rows {
         for i in 0..LANES {
             self.any |= self.bits[i];
             self.all &= self.bits[i];
+        }
+        for i in 0..LANES {
+            self.width[i] = self.end[i] - self.begin[i];
         }
     }
 }
@@ -194,9 +229,9 @@ impl Exact {
         self.covers_centre([(self.origin[0] as usize + column) as f32 + 0.5, self.y(row as u32)], stats)
     }
 
-    /// Whether the pixel to the left of the tile is covered too, if the first one in it is.
-    pub(super) fn covers_left(&self, row: u32, stats: &mut Stats) -> bool {
-        self.covers_centre([self.origin[0] as f32 - 0.5, self.y(row)], stats)
+    /// Whether the pixel to the left of one is covered, which may lie beside the tile.
+    pub(super) fn covers_before(&self, [column, row]: [usize; 2], stats: &mut Stats) -> bool {
+        self.covers_centre([(self.origin[0] as usize + column) as f32 - 0.5, self.y(row as u32)], stats)
     }
 
     fn covers_centre(&self, centre: [f32; 2], stats: &mut Stats) -> bool {

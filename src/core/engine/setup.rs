@@ -1,9 +1,9 @@
-//! Triangle set-up: where rows cross the edges and how deep the plane lies, for a few triangles at once and
-//! with a proven error for every number.
+//! Triangle set-up: how deep the plane lies and which rows and columns there are, for a few triangles at once and with a
+//! proven error for every number.
 //!
 //! Coordinates are those of the tile: the centre of its first pixel is (0, 0).
 //!
-//! *Source:* Foley et al., Computer Graphics: Principles and Practice, 2nd ed., sections 3.6 and 15.4; Higham,
+//! *Source:* Foley et al., Computer Graphics: Principles and Practice, 2nd ed., section 15.4; Higham,
 //! Accuracy and Stability of Numerical Algorithms, 2nd ed. 2002, section 3.1 (the errors). Deviation: nothing is
 //! added from row to row, and each number is an interval around the exact one.
 
@@ -12,9 +12,10 @@ use super::{
     canvas::TILE,
     group::Group,
     lanes::{LANES, Wide, greatest, larger, least, lesser, whole},
-    small::Small,
+    sides::Sides,
+    small::{Narrow, Small},
+    stamp::SIDE,
     state::Rules,
-    tile::BLOCK,
 };
 use crate::math::{Sign, Tally, orient2d, predicates::ORIENT2D_FILTER};
 
@@ -30,35 +31,34 @@ const LOWEST: f64 = power(-80);
 
 /// Of the greatest depth's power of 2: what rounds to the grid, and what the roundings of binary32 come to.
 const ANCHOR: f64 = 1.5 * power(52 - 23);
-const SLACK: f64 = power(-23 - 22);
+const SLACK: f64 = power(-23 - 20);
 
 /// 2 to a power.
 const fn power(exponent: i64) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
 }
 
-/// The last centre of a tile, as a coordinate.
-const END: f64 = (TILE - 1) as f64;
-
-/// Where the rows of a tile cross an edge: `x = start + (row - y) slope`, with the start moved outwards to
-/// the left by the error; infinitely far for a side that the edge does not bound.
+/// What a pixel to the right, or down, takes from the depth: a multiple of the grid, and the rest.
 #[derive(Clone, Copy)]
-pub(super) struct Crossings {
-    pub(super) y: Wide,
-    pub(super) slope: Wide,
-    /// The start of a left edge, and of a right one.
-    pub(super) left: Wide,
-    pub(super) right: Wide,
+pub(super) struct Step {
+    pub(super) grid: Narrow,
+    pub(super) rest: Narrow,
 }
 
-const NOTHING: Crossings =
-    Crossings { y: [0.0; LANES], slope: [0.0; LANES], left: [0.0; LANES], right: [0.0; LANES] };
+impl Step {
+    const NOTHING: Self = Self { grid: [0.0; LANES], rest: [0.0; LANES] };
+
+    #[inline(always)]
+    fn put(&mut self, i: usize, slope: f64, anchor: f64) {
+        let grid = (-slope + anchor) - anchor;
+        self.grid[i] = grid as f32;
+        self.rest[i] = (grid + slope) as f32;
+    }
+}
 
 /// A few triangles, ready for the rows of one tile.
+#[repr(align(64))]
 pub(super) struct Setup {
-    pub(super) edges: [Crossings; 3],
-    /// How far to the right of where they seem to be crossings lie at most.
-    pub(super) doubt: Wide,
     /// First and one past the last row and column that can be covered; no rows if nothing is.
     pub(super) rows: [[u32; LANES]; 2],
     pub(super) columns: [[u32; LANES]; 2],
@@ -71,7 +71,9 @@ pub(super) struct Setup {
     /// Adding this, then subtracting it, leaves a multiple of the grid of [`Across`](super::depths::Across); and how far
     /// off a depth may be that is computed in that way.
     pub(super) anchor: Wide,
-    pub(super) slack: [f32; LANES],
+    pub(super) slack: Narrow,
+    /// What each column and each row adds, on that grid.
+    pub(super) steps: [Step; 2],
     /// The least and the greatest depth of the vertices.
     pub(super) range: [Wide; 2],
     /// Which of them lie behind all pixels of the tile, if they are counted nevertheless.
@@ -84,10 +86,11 @@ pub(super) struct Setup {
 
 impl Setup {
     /// Up to [`LANES`] triangles seen from the tile whose first pixel is `origin`, and of which no pixel is
-    /// farther than `farthest`. What small ones need goes to `small`; only if there are others, crossings are found.
+    /// farther than `farthest`. What small ones need goes to `small`; only if there are others, sides are found.
     #[inline(always)]
     pub(super) fn new(
-        (group, small): (&Group, &mut Small),
+        group: &Group,
+        (small, sides): (&mut Small, &mut Sides),
         (origin, farthest): ([u32; 2], f32),
         rules: &Rules,
         stats: &mut Stats,
@@ -100,8 +103,6 @@ impl Setup {
             }
         }
         let mut setup = Self {
-            edges: [NOTHING; 3],
-            doubt: [0.0; LANES],
             rows: [[0; LANES]; 2],
             columns: [[0; LANES]; 2],
             depth: [0.0; LANES],
@@ -110,6 +111,7 @@ impl Setup {
             error: [0.0; LANES],
             anchor: [0.0; LANES],
             slack: [0.0; LANES],
+            steps: [Step::NOTHING; 2],
             range: [[0.0; LANES]; 2],
             behind: [false; LANES],
             turns: [0.0; LANES],
@@ -120,11 +122,9 @@ impl Setup {
         small.set_up(&setup, group, origin);
         // Small ones are found beside the tile as soon.
         if small.fits.iter().any(|fits| !fits) {
-            for edge in 0..3 {
-                setup.edge(edge, [&vertices[edge], &vertices[(edge + 1) % 3]], shift);
-            }
+            *sides = Sides::new(&vertices, &setup.turns, shift);
             if rules.tile {
-                setup.reject(stats);
+                setup.reject(&sides.beside(), stats);
             }
         }
         if rules.hierarchical_z {
@@ -141,8 +141,9 @@ impl Setup {
     /// seven roundings. All constants are a little greater, for the roundings of the bounds themselves.
     ///
     /// A power of 2, at most the greatest depth `m` and more than half of it, makes the grid of [`Across`]: multiples of
-    /// `2^-23` of it, which binary32 holds up to `m`. Rests are at most half a step; that of a row is rounded twice, that
-    /// of a column once, by at most `2^-25` steps, and their sum by twice that: together less than `2^-22`, the slack.
+    /// `2^-23` of it, which binary32 holds up to `m`. Rests are at most half a step. In units of `2^-25` steps, that of a
+    /// stamp's start is rounded twice by 1; that of a step by 1, three times that by 2 more, and the sum of two such by 4:
+    /// 14; the sum of both by 4. All this is less than 32 of them, the slack.
     ///
     /// [`Across`]: super::depths::Across
     #[inline(always)]
@@ -176,8 +177,8 @@ impl Setup {
             let depth = az - dx * x - dy * y;
             let (bz, cz) = (b[2][i], c[2][i]);
             let range = [least(least(az, bz), cz), greatest(greatest(az, bz), cz)];
-            // Where a block begins that has a pixel of the triangle, no depth is greater, nor are its parts on the grid.
-            let most = 1.001 * (greatest(range[0].abs(), range[1].abs()) + BLOCK as f64 * sx);
+            // Where a stamp begins that has a pixel of the triangle, no depth is greater, nor are its parts on the grid.
+            let most = 1.001 * (greatest(range[0].abs(), range[1].abs()) + SIDE as f64 * (sx + sy));
             let power = f64::from_bits(most.to_bits() & INFINITY);
             let held = (most < HIGHEST) & ((most > LOWEST) | (most == 0.0));
             let known = (area.abs() > 16.0 * U * size) & held;
@@ -188,6 +189,8 @@ impl Setup {
             self.dz_dy[i] = if known { dy } else { 0.0 };
             self.error[i] = if known { error } else { f64::INFINITY };
             self.anchor[i] = if known { ANCHOR * power } else { 0.0 };
+            self.steps[0].put(i, self.dz_dx[i], self.anchor[i]);
+            self.steps[1].put(i, self.dz_dy[i], self.anchor[i]);
             self.slack[i] = (1.000_001 * (self.error[i] + SLACK * power)) as f32;
         }
         if doubt.iter().any(|&doubt| doubt) {
@@ -227,56 +230,19 @@ impl Setup {
             self.rows[1][i] = whole(lesser(larger(end, 0.0), LAST + 1.0));
         }
     }
+}
 
-    /// Where rows cross the edge from `p` to `q`.
-    ///
-    /// The slope is off by at most three roundings, the height above `p` by one and that of `p` itself, their
-    /// product by one more; `p` and each of two sums by one: below `7u |slope| (|y| + 64) + 3u |x|`. Twice that, and a
-    /// little for adding it to a column of the tile, is how far to the right a crossing may lie of where it is put.
+impl Setup {
+    /// Empties the rows of triangles that lie beside the tile.
     #[inline(always)]
-    fn edge(&mut self, edge: usize, [p, q]: [&[Wide; 3]; 2], shift: [f64; 3]) {
-        const TIE: f64 = 256.0 * U;
-        let crossings = &mut self.edges[edge];
-        for i in 0..LANES {
-            let (x, y) = (p[0][i] - shift[0], p[1][i] - shift[1]);
-            let height = q[1][i] - p[1][i];
-            let level = height == 0.0;
-            let slope = (q[0][i] - p[0][i]) / if level { 1.0 } else { height };
-            let error = 8.0 * U * (slope.abs() * (y.abs() + 64.0) + x.abs());
-            // Turned positively, edges that go towards smaller y have the inside to their right.
-            let uphill = height * self.turns[i];
-            let left = if uphill < 0.0 { 0.0 } else { f64::NEG_INFINITY };
-            let right = if uphill > 0.0 { 0.0 } else { f64::INFINITY };
-            crossings.y[i] = y;
-            crossings.slope[i] = if level { 0.0 } else { slope };
-            crossings.left[i] = x - error + left;
-            crossings.right[i] = x - error + right;
-            self.doubt[i] = greatest(self.doubt[i], 2.001 * error + TIE);
-        }
-    }
-
-    /// Empties the rows of triangles that lie beside the tile: one edge keeps out its nearest corner.
-    #[inline(always)]
-    fn reject(&mut self, stats: &mut Stats) {
-        let mut beside = [0_u32; LANES];
-        for crossings in &self.edges {
-            for i in 0..LANES {
-                let slope = crossings.slope[i];
-                let (top, bottom) = (-crossings.y[i] * slope, (END - crossings.y[i]) * slope);
-                let left = least(top, bottom) + crossings.left[i];
-                let right = greatest(top, bottom) + crossings.right[i] + self.doubt[i];
-                beside[i] |= u32::from(left > END) | u32::from(right < 0.0);
-            }
-        }
+    fn reject(&mut self, beside: &[u32; LANES], stats: &mut Stats) {
         for i in 0..LANES {
             let any = u32::from(self.rows[0][i] < self.rows[1][i]);
             stats.beside += u64::from(beside[i] & any);
             self.rows[1][i] *= 1 - beside[i];
         }
     }
-}
 
-impl Setup {
     /// Empties the rows of triangles that lie behind all pixels of the tile, unless they are to be counted.
     #[inline(always)]
     fn hide(&mut self, farthest: f32, rules: &Rules, stats: &mut Stats) {

@@ -99,6 +99,23 @@ pub(crate) struct Vertex {
     pub(crate) color: [f32; 4],
 }
 
+/// Where the colours of a mesh lie.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Range {
+    /// Whether all of them are from 0 to 1.
+    pub(crate) unit: bool,
+    /// Whether all alphas are 1.
+    pub(crate) opaque: bool,
+}
+
+impl Range {
+    /// That of some colours.
+    pub(crate) fn of(colors: &[[f32; 4]]) -> Self {
+        let unit = |color: &[f32; 4]| color.iter().all(|value| (0.0..=1.0).contains(value));
+        Self { unit: colors.iter().all(unit), opaque: colors.iter().all(|color| color[3] == 1.0) }
+    }
+}
+
 /// A mesh on the screen, all of it before the eye; colours are interpolated perspectively.
 pub(crate) struct Mesh<'m, A: Arbiter> {
     pub(crate) vertices: &'m [Vertex],
@@ -108,6 +125,7 @@ pub(crate) struct Mesh<'m, A: Arbiter> {
     pub(crate) turn: Option<f32>,
     /// How far off a coordinate is at most, in pixels, of where the vertex is seen exactly.
     pub(crate) blur: f32,
+    pub(crate) range: Range,
     pub(crate) arbiter: &'m A,
 }
 

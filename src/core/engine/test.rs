@@ -5,6 +5,7 @@ use super::{
     fill::Subject,
     lanes::{greatest, least, mask},
     pixels::Pixels,
+    stamp::{Each, STAMP},
 };
 use crate::depth::DepthState;
 
@@ -17,15 +18,9 @@ pub(super) trait Test: Copy {
     /// Whether a pixel may still change where depths are equal.
     const TIES: bool = false;
 
-    /// What is stored for a depth that lies between two: that for the least and that for the greatest.
+    /// What would be stored for the least depth that each pixel of a stamp may have, and for the greatest.
     #[inline(always)]
-    fn ends(&self, near: f64, far: f64) -> [f32; 2] {
-        [near as f32, far as f32]
-    }
-
-    /// The same for the pixels of a row.
-    #[inline(always)]
-    fn row<const N: usize>(&self, pixels: &Pixels<'_, N>, _: &Subject<'_>) -> [[f32; N]; 2] {
+    fn stamp(&self, pixels: &Pixels<'_>, _: &Subject<'_>) -> [Each<f32>; 2] {
         pixels.start.along(pixels.across)
     }
 
@@ -134,17 +129,12 @@ impl Codes {
 
 impl Test for Codes {
     #[inline(always)]
-    fn ends(&self, near: f64, far: f64) -> [f32; 2] {
+    fn stamp(&self, pixels: &Pixels<'_>, subject: &Subject<'_>) -> [Each<f32>; 2] {
         const SLACK: f64 = 1.0 / (1 << 24) as f64;
-        [self.code(near, -SLACK), self.code(far, SLACK)]
-    }
-
-    #[inline(always)]
-    fn row<const N: usize>(&self, pixels: &Pixels<'_, N>, subject: &Subject<'_>) -> [[f32; N]; 2] {
-        let (mut low, mut high) = ([0.0; N], [0.0; N]);
-        for i in 0..N {
-            let [near, far] = pixels.place.interval(i, subject);
-            [low[i], high[i]] = self.ends(near, far);
+        let (mut low, mut high) = ([0.0; STAMP], [0.0; STAMP]);
+        for i in 0..STAMP {
+            let [near, far] = subject.setup.interval(subject.lane, pixels.place.pixel(i));
+            [low[i], high[i]] = [self.code(near, -SLACK), self.code(far, SLACK)];
         }
         [low, high]
     }
@@ -173,8 +163,8 @@ impl<T: Test> Test for Masked<T> {
     const STENCIL: bool = true;
 
     #[inline(always)]
-    fn ends(&self, near: f64, far: f64) -> [f32; 2] {
-        self.0.ends(near, far)
+    fn stamp(&self, pixels: &Pixels<'_>, subject: &Subject<'_>) -> [Each<f32>; 2] {
+        self.0.stamp(pixels, subject)
     }
 
     #[inline(always)]

@@ -8,11 +8,9 @@ use super::{
     canvas::{Clear, Strip, TILE},
     lanes::LANES,
     paint::{Brushes, Painter},
+    stamp::{self, Each, Place, SIDE, STAMP, STAMPS, band, band_mut, copy_row, set_row},
     test::Test,
 };
-use std::ops::Range;
-
-const PIXELS: usize = TILE * TILE;
 
 /// Columns of a block; it has [`LANES`] rows.
 pub(super) const BLOCK: usize = 16;
@@ -23,10 +21,7 @@ const BLOCKS: usize = ACROSS * (TILE / LANES);
 const PATIENCE: u8 = 4;
 const MOST_PATIENCE: u8 = 64;
 
-/// So many neighbouring pixels get their colours together if they are of one triangle.
-const RUN: usize = 8;
-
-/// Begins at a cache line, so that no row of a block lies in two.
+/// Begins at a cache line, so that no stamp lies in two.
 #[repr(align(64))]
 #[derive(Debug)]
 struct Aligned<T>(T);
@@ -34,9 +29,9 @@ struct Aligned<T>(T);
 /// The pixels of a tile.
 #[derive(Debug)]
 pub(super) struct Tile {
-    color: Aligned<[u32; PIXELS]>,
-    depth: Aligned<[f32; PIXELS]>,
-    stencil: Aligned<[u8; PIXELS]>,
+    color: Aligned<[Each<u32>; STAMPS]>,
+    depth: Aligned<[Each<f32>; STAMPS]>,
+    stencil: Aligned<[Each<u8>; STAMPS]>,
     /// Which pixels of each row were painted one fragment after another.
     touched: [u64; TILE],
     /// No pixel of a block is farther.
@@ -49,9 +44,9 @@ pub(super) struct Tile {
 impl Default for Tile {
     fn default() -> Self {
         Self {
-            color: Aligned([0; PIXELS]),
-            depth: Aligned([0.0; PIXELS]),
-            stencil: Aligned([0; PIXELS]),
+            color: Aligned([[0; STAMP]; STAMPS]),
+            depth: Aligned([[0.0; STAMP]; STAMPS]),
+            stencil: Aligned([[0; STAMP]; STAMPS]),
             touched: [0; TILE],
             farthest: [0.0; BLOCKS],
             left: [0; BLOCKS],
@@ -60,19 +55,13 @@ impl Default for Tile {
     }
 }
 
-/// One pixel of a tile.
-pub(super) struct Pixel<'t> {
-    pub(super) color: &'t mut u32,
-    pub(super) depth: &'t mut f32,
-    pub(super) stencil: &'t mut u8,
-}
-
 impl Tile {
     /// Makes all pixels empty.
+    #[inline(always)]
     pub(super) fn clear(&mut self, clear: &Clear) {
-        self.color.0.fill(u32::from_ne_bytes(clear.color));
-        self.depth.0.fill(clear.depth);
-        self.stencil.0.fill(clear.stencil);
+        self.color.0.fill([u32::from_ne_bytes(clear.color); STAMP]);
+        self.depth.0.fill([clear.depth; STAMP]);
+        self.stencil.0.fill([clear.stencil; STAMP]);
         self.touched = [0; TILE];
         self.farthest = [clear.depth; BLOCKS];
         (self.left, self.patience) = ([PATIENCE; BLOCKS], [PATIENCE; BLOCKS]);
@@ -80,13 +69,14 @@ impl Tile {
 
     /// Takes the pixels of a strip from column `left` on.
     pub(super) fn load(&mut self, strip: &Strip<'_>, left: u32) {
-        for (range, at) in strip.rows(left) {
+        for (y, range) in strip.rows(left).enumerate() {
+            let mut colors = [0; TILE];
             let codes = strip.color[4 * range.start..4 * range.end].as_chunks().0;
-            let color = self.color.0[at..].iter_mut().zip(codes);
-            color.for_each(|(pixel, codes)| *pixel = u32::from_ne_bytes(*codes));
-            self.depth.0[at..at + range.len()].copy_from_slice(&strip.depth[range.clone()]);
-            if let Some(stencil) = strip.stencil.get(range.clone()) {
-                self.stencil.0[at..at + range.len()].copy_from_slice(stencil);
+            colors.iter_mut().zip(codes).for_each(|(color, codes)| *color = u32::from_ne_bytes(*codes));
+            set_row(band_mut(&mut self.color.0, y), y, &colors[..codes.len()]);
+            set_row(band_mut(&mut self.depth.0, y), y, &strip.depth[range.clone()]);
+            if let Some(stencil) = strip.stencil.get(range) {
+                set_row(band_mut(&mut self.stencil.0, y), y, stencil);
             }
         }
         self.touched = [0; TILE];
@@ -96,21 +86,29 @@ impl Tile {
 
     /// Forgets the colours: from now on they are numbers of triangles, of which 0 is none.
     pub(super) fn number(&mut self) {
-        self.color.0.fill(0);
+        self.color.0.fill([0; STAMP]);
     }
 
     /// Gives them back.
+    #[inline(always)]
     pub(super) fn store(&self, strip: &mut Strip<'_>, left: u32) {
-        for (range, at) in strip.rows(left) {
-            let codes = strip.color[4 * range.start..4 * range.end].as_chunks_mut().0;
-            let color = codes.iter_mut().zip(&self.color.0[at..]);
-            color.for_each(|(codes, pixel)| *codes = pixel.to_ne_bytes());
-            self.store_depth(strip, range, at);
-        }
+        self.store_colors(
+            strip,
+            left,
+            false,
+            #[inline(always)]
+            |colors, codes| {
+                for (codes, color) in codes.iter_mut().zip(colors) {
+                    *codes = color.to_ne_bytes();
+                }
+            },
+        );
+        self.store_depths(strip, left);
     }
 
     /// Gives depths and stencil values back, and the colours of the triangles that the pixels' numbers name; the others
     /// are cleared if `clear` says to what.
+    #[inline(always)]
     pub(super) fn store_numbered(
         &self,
         strip: &mut Strip<'_>,
@@ -123,31 +121,65 @@ impl Tile {
             *color = none;
         }
         let color = |number: u32| colors.get(number as usize).copied().unwrap_or(none).to_ne_bytes();
-        for (range, at) in strip.rows(left) {
-            let codes: &mut [[u8; 4]] = strip.color[4 * range.start..4 * range.end].as_chunks_mut().0;
-            let numbers = &self.color.0[at..at + codes.len()];
-            for (codes, numbers) in codes.chunks_mut(RUN).zip(numbers.chunks(RUN)) {
-                // Mostly one triangle is seen in all of a few pixels.
-                let differ = numbers.iter().fold(0, |differ, number| differ | (number ^ numbers[0]));
-                let pixels = codes.iter_mut().zip(numbers);
-                if clear.is_none() {
-                    pixels
-                        .filter(|(_, number)| **number > 0)
-                        .for_each(|(codes, number)| *codes = color(*number));
-                } else if differ == 0 {
-                    codes.fill(color(numbers[0]));
-                } else {
-                    pixels.for_each(|(codes, number)| *codes = color(*number));
+        self.store_colors(
+            strip,
+            left,
+            clear.is_none(),
+            #[inline(always)]
+            |numbers, codes| {
+                // Mostly one triangle is seen in all of a stamp.
+                let mut differ = 0;
+                for number in numbers {
+                    differ |= number ^ numbers[0];
+                }
+                if differ == 0 && (clear.is_some() || numbers[0] > 0) {
+                    *codes = [color(numbers[0]); STAMP];
+                    return;
+                }
+                for (codes, number) in codes.iter_mut().zip(numbers) {
+                    if clear.is_some() || *number > 0 {
+                        *codes = color(*number);
+                    }
+                }
+            },
+        );
+        self.store_depths(strip, left);
+    }
+
+    /// Stores colour codes, made stamp by stamp of what the tile has in place of colours and, if they are to be kept, of
+    /// the codes that the strip holds.
+    #[inline(always)]
+    fn store_colors(
+        &self,
+        strip: &mut Strip<'_>,
+        left: u32,
+        keeps: bool,
+        set: impl Fn(&Each<u32>, &mut Each<[u8; 4]>),
+    ) {
+        let mut codes = [[[0; 4]; STAMP]; stamp::ACROSS];
+        for y in (0..strip.rows as usize).step_by(SIDE) {
+            let rows = (y..).zip(strip.rows(left).skip(y).take(SIDE));
+            if keeps {
+                for (y, range) in rows.clone() {
+                    set_row(&mut codes, y, strip.color[4 * range.start..4 * range.end].as_chunks().0);
                 }
             }
-            self.store_depth(strip, range, at);
+            for (codes, colors) in codes.iter_mut().zip(band(&self.color.0, y)) {
+                set(colors, codes);
+            }
+            for (y, range) in rows {
+                copy_row(&codes, y, strip.color[4 * range.start..4 * range.end].as_chunks_mut().0);
+            }
         }
     }
 
-    fn store_depth(&self, strip: &mut Strip<'_>, range: Range<usize>, at: usize) {
-        strip.depth[range.clone()].copy_from_slice(&self.depth.0[at..at + range.len()]);
-        if let Some(stencil) = strip.stencil.get_mut(range.clone()) {
-            stencil.copy_from_slice(&self.stencil.0[at..at + range.len()]);
+    #[inline(always)]
+    fn store_depths(&self, strip: &mut Strip<'_>, left: u32) {
+        for (y, range) in strip.rows(left).enumerate() {
+            copy_row(band(&self.depth.0, y), y, &mut strip.depth[range.clone()]);
+            if let Some(stencil) = strip.stencil.get_mut(range) {
+                copy_row(band(&self.stencil.0, y), y, stencil);
+            }
         }
     }
 
@@ -161,25 +193,27 @@ impl Tile {
         brushes: &mut Brushes<'_, P>,
         stats: &mut Stats,
     ) {
-        for (row, (range, at)) in strip.rows(left).enumerate() {
+        for (y, range) in strip.rows(left).enumerate() {
             let codes = strip.color[4 * range.start..4 * range.end].as_chunks_mut().0;
             if let Some(clear) = clear {
                 codes.fill(clear.color);
             }
-            let numbers = &self.color.0[at..at + range.len()];
-            let y = strip.top + row as u32;
+            let mut numbers = [0; TILE];
+            copy_row(band(&self.color.0, y), y, &mut numbers);
+            let numbers = &numbers[..range.len()];
             let (mut x, mut touched) = (0, 0);
             for run in numbers.chunk_by(|a, b| a == b) {
                 let end = x + run.len();
                 if let Some(triangle) = run[0].checked_sub(1) {
-                    brushes.paint(triangle, [left + x as u32, y], &mut codes[x..end], stats);
+                    let pixel = [left + x as u32, strip.top + y as u32];
+                    brushes.paint(triangle, pixel, &mut codes[x..end], stats);
                     touched |= u64::MAX >> (64 - run.len()) << x;
                 }
                 x = end;
             }
-            self.touched[row] = touched;
-            self.store_depth(strip, range, at);
+            self.touched[y] = touched;
         }
+        self.store_depths(strip, left);
     }
 
     /// Adds the pixels that were painted to those that were before, and counts the new ones.
@@ -190,10 +224,14 @@ impl Tile {
         }
     }
 
-    /// Pixels of a row are painted: a bit each, from column x on.
+    /// Pixels of a stamp are painted: all bits or none.
     #[inline(always)]
-    pub(super) fn touch(&mut self, [x, y]: [usize; 2], pixels: u64) {
-        self.touched[y % TILE] |= pixels << (x % TILE);
+    pub(super) fn touch(&mut self, place: Place, pixels: &Each<u32>) {
+        let [x, y] = place.first();
+        for (row, pixels) in pixels.as_chunks::<SIDE>().0.iter().enumerate() {
+            let bits: u64 = (0..).zip(pixels).map(|(i, pixel)| u64::from(pixel & 1) << i).sum();
+            self.touched[y + row] |= bits << x;
+        }
     }
 
     /// Counts what is drawn in the blocks from column `x` on: what is known of them grows old.
@@ -205,19 +243,16 @@ impl Tile {
         }
     }
 
-    /// Some neighbouring pixels of a row: depths and colours.
+    /// Depths and colours of a stamp.
     #[inline(always)]
-    pub(super) fn row<const N: usize>(&mut self, x: usize, y: usize) -> (&mut [f32; N], &mut [u32; N]) {
-        let at = (y * TILE + x).min(PIXELS - N);
-        let depths = &mut self.depth.0[at..at + N].as_chunks_mut().0[0];
-        let colors = &mut self.color.0[at..at + N].as_chunks_mut().0[0];
-        (depths, colors)
+    pub(super) fn stamp(&mut self, place: Place) -> (&mut Each<f32>, &mut Each<u32>) {
+        (&mut self.depth.0[place.number()], &mut self.color.0[place.number()])
     }
 
-    /// One pixel.
-    pub(super) fn pixel(&mut self, x: usize, y: usize) -> Pixel<'_> {
-        let at = y * TILE + x;
-        Pixel { color: &mut self.color.0[at], depth: &mut self.depth.0[at], stencil: &mut self.stencil.0[at] }
+    /// Stencil values of a stamp.
+    #[inline]
+    pub(super) fn stencils(&mut self, place: Place) -> &mut Each<u8> {
+        &mut self.stencil.0[place.number()]
     }
 
     /// Whether all pixels in the block with a pixel at (x, y) are nearer than a depth, or as near if a test says that
@@ -240,11 +275,12 @@ impl Tile {
     #[inline(never)]
     fn look(&mut self, block: usize) {
         let [x, y] = [block % ACROSS * BLOCK, block / ACROSS * LANES];
-        let mut farthest = [f32::NEG_INFINITY; BLOCK];
-        for row in 0..LANES {
-            let depths = *self.row::<BLOCK>(x, y + row).0;
-            for i in 0..BLOCK {
-                farthest[i] = greatest(farthest[i], depths[i]);
+        let mut farthest = [f32::NEG_INFINITY; STAMP];
+        for row in (y..y + LANES).step_by(SIDE) {
+            for depths in &self.depth.0[Place::of([x, row]).number()..][..BLOCK / SIDE] {
+                for i in 0..STAMP {
+                    farthest[i] = greatest(farthest[i], depths[i]);
+                }
             }
         }
         self.farthest[block] = greatest_of(&farthest);

@@ -69,6 +69,7 @@ impl Way for Plain {
         }
     }
 
+    #[inline(always)]
     fn store(
         (foremost, sorted): &mut (Foremost, bool),
         tile: &mut Tile,
@@ -100,6 +101,7 @@ impl<A: Arbiter> Way for Meshed<'_, A> {
         tile.draw_mesh(smooth, job, list, stats);
     }
 
+    #[inline(always)]
     fn store(
         _: &mut Smooth<'_, A>,
         tile: &mut Tile,

@@ -47,8 +47,9 @@ pub struct Picture {
 /// What is seen of one draw.
 #[derive(Debug, Default)]
 struct Seen {
-    /// What the colours of the vertices are of.
+    /// What the colours of the vertices are of, and where they lie.
     mesh: Arc<scene::Mesh>,
+    range: engine::Range,
     /// The vertices, then those of what was clipped.
     screen: Vec<Vertex>,
     /// Which planes each vertex lies outside of.
@@ -152,6 +153,7 @@ impl Picture {
                 CullMode::Front => Some(-up),
             },
             blur: 2.0 * f32::EPSILON * scene.size[0].max(scene.size[1]) as f32,
+            range: seen.range,
             arbiter: &stages,
         };
         self.engine.draw_mesh(canvas, clear.take(), &mesh, state);
@@ -185,6 +187,7 @@ impl Seen {
         self.outcodes.resize(mesh.positions.len(), 0);
         if !Arc::ptr_eq(mesh, &self.mesh) {
             self.mesh = Arc::clone(mesh);
+            self.range = engine::Range::of(&mesh.colors);
             let colors = self.screen.iter_mut().zip(&mesh.colors);
             colors.for_each(|(vertex, color)| vertex.color = *color);
         }

@@ -223,7 +223,8 @@ impl FrameJob<'_> {
                         stats.clean += 1;
                         stats.clean_pixels += strip.pixels(left);
                     } else {
-                        tile.clear(clear);
+                        tile.clear(clear, strip);
+                        tile.fill_colors(clear.color);
                         tile.store(strip, left);
                     }
                     strip.clean[index] = true;
@@ -232,18 +233,12 @@ impl FrameJob<'_> {
             }
             stats.binned += list.len() as u64;
             match &clear {
-                Some(clear) => state.lanes.run(
-                    #[inline(always)]
-                    || tile.clear(clear),
-                ),
+                Some(clear) => tile.clear(clear, strip),
                 None => tile.load(strip, left),
             }
             let job = Job { origin: [left, strip.top], state, rules };
-            W::draw(kit, tile, job, list, stats);
-            state.lanes.run(
-                #[inline(always)]
-                || W::store(kit, tile, strip, (index, left), clear.as_ref(), stats),
-            );
+            W::draw(kit, tile, clear.map(|clear| clear.color), job, list, stats);
+            W::store(kit, tile, strip, (index, left), clear.as_ref(), stats);
             strip.clean[index] = false;
         }
     }

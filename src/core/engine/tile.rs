@@ -56,12 +56,12 @@ impl Default for Tile {
 }
 
 impl Tile {
-    /// Makes all pixels empty.
-    #[inline(always)]
-    pub(super) fn clear(&mut self, clear: &Clear) {
-        self.color.0.fill([u32::from_ne_bytes(clear.color); STAMP]);
+    /// Makes all pixels of a strip's tile empty, but for their colours.
+    pub(super) fn clear(&mut self, clear: &Clear, strip: &Strip<'_>) {
         self.depth.0.fill([clear.depth; STAMP]);
-        self.stencil.0.fill([clear.stencil; STAMP]);
+        if !strip.stencil.is_empty() {
+            self.stencil.0.fill([clear.stencil; STAMP]);
+        }
         self.touched = [0; TILE];
         self.farthest = [clear.depth; BLOCKS];
         (self.left, self.patience) = ([PATIENCE; BLOCKS], [PATIENCE; BLOCKS]);
@@ -84,13 +84,17 @@ impl Tile {
         (self.left, self.patience) = ([0; BLOCKS], [PATIENCE; BLOCKS]);
     }
 
+    /// Gives all pixels one colour.
+    pub(super) fn fill_colors(&mut self, color: [u8; 4]) {
+        self.color.0.fill([u32::from_ne_bytes(color); STAMP]);
+    }
+
     /// Forgets the colours: from now on they are numbers of triangles, of which 0 is none.
     pub(super) fn number(&mut self) {
-        self.color.0.fill([0; STAMP]);
+        self.fill_colors([0; 4]);
     }
 
     /// Gives them back.
-    #[inline(always)]
     pub(super) fn store(&self, strip: &mut Strip<'_>, left: u32) {
         self.store_colors(
             strip,
@@ -108,7 +112,6 @@ impl Tile {
 
     /// Gives depths and stencil values back, and the colours of the triangles that the pixels' numbers name; the others
     /// are cleared if `clear` says to what.
-    #[inline(always)]
     pub(super) fn store_numbered(
         &self,
         strip: &mut Strip<'_>,
@@ -173,7 +176,6 @@ impl Tile {
         }
     }
 
-    #[inline(always)]
     fn store_depths(&self, strip: &mut Strip<'_>, left: u32) {
         for (y, range) in strip.rows(left).enumerate() {
             copy_row(band(&self.depth.0, y), y, &mut strip.depth[range.clone()]);

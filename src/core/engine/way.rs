@@ -22,7 +22,15 @@ pub(super) trait Way: Sync {
         Self: 'k;
 
     fn kit(&self) -> Self::Kit<'_>;
-    fn draw(kit: &mut Self::Kit<'_>, tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats);
+    /// `clear`: what the pixels' colours are to be at first, else those that the tile holds.
+    fn draw(
+        kit: &mut Self::Kit<'_>,
+        tile: &mut Tile,
+        clear: Option<[u8; 4]>,
+        job: Job<'_>,
+        list: &[Entry],
+        stats: &mut Stats,
+    );
     /// `at`: the number of the tile in its strip, and its first column.
     fn store(
         kit: &mut Self::Kit<'_>,
@@ -55,6 +63,7 @@ impl Way for Plain {
     fn draw(
         (foremost, sorted): &mut (Foremost, bool),
         tile: &mut Tile,
+        clear: Option<[u8; 4]>,
         job: Job<'_>,
         list: &[Entry],
         stats: &mut Stats,
@@ -65,11 +74,11 @@ impl Way for Plain {
             tile.number();
             tile.draw_foremost(job, (list, foremost), stats);
         } else {
+            clear.into_iter().for_each(|color| tile.fill_colors(color));
             tile.draw(&mut Flat, job, list, stats);
         }
     }
 
-    #[inline(always)]
     fn store(
         (foremost, sorted): &mut (Foremost, bool),
         tile: &mut Tile,
@@ -97,11 +106,18 @@ impl<A: Arbiter> Way for Meshed<'_, A> {
         Smooth::new(self.0)
     }
 
-    fn draw(smooth: &mut Smooth<'_, A>, tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats) {
+    fn draw(
+        smooth: &mut Smooth<'_, A>,
+        tile: &mut Tile,
+        clear: Option<[u8; 4]>,
+        job: Job<'_>,
+        list: &[Entry],
+        stats: &mut Stats,
+    ) {
+        clear.into_iter().for_each(|color| tile.fill_colors(color));
         tile.draw_mesh(smooth, job, list, stats);
     }
 
-    #[inline(always)]
     fn store(
         _: &mut Smooth<'_, A>,
         tile: &mut Tile,
@@ -125,11 +141,19 @@ impl<P: Painter> Way for Painted<'_, P> {
         Brushes::new(self.0)
     }
 
-    fn draw(brushes: &mut Brushes<'_, P>, tile: &mut Tile, job: Job<'_>, list: &[Entry], stats: &mut Stats) {
+    fn draw(
+        brushes: &mut Brushes<'_, P>,
+        tile: &mut Tile,
+        clear: Option<[u8; 4]>,
+        job: Job<'_>,
+        list: &[Entry],
+        stats: &mut Stats,
+    ) {
         if brushes.painter().order() == PaintOrder::Last {
             tile.number();
             tile.draw(&mut Numbers, job, list, stats);
         } else {
+            clear.into_iter().for_each(|color| tile.fill_colors(color));
             tile.draw(&mut Wet(brushes), job, list, stats);
         }
     }

@@ -222,6 +222,10 @@ fn line(face: &Face<'_>, chip: &Chip) -> String {
 
 /// The current stage with its neighbours, as many as fit.
 fn path(ui: &mut Ui, face: &Face<'_>, chips: &[Chip], current: Stage) {
+    // While the first scene is on its way, there is none.
+    if chips.is_empty() {
+        return;
+    }
     let (rect, look) = (ui.max_rect(), face.look);
     let at = chips.iter().position(|chip| chip.stage == current).unwrap_or(0);
     let painter = ui.painter().clone();

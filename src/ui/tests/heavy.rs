@@ -67,6 +67,19 @@ fn a_large_model_is_opened_and_drawn_while_the_window_answers() {
     assert!(window.query_by_label("Computing the image").is_none());
 }
 
+/// A file may be read before the first frame: then nothing was counted yet that the ribbon could show.
+#[test]
+fn a_large_model_named_at_the_start_is_opened_in_a_window_of_any_size() {
+    for [width, height] in [[1280.0, 720.0], [1024.0, 768.0], [2560.0, 1440.0]] {
+        let files = [("big.obj".to_owned(), model())].into();
+        let memory = Memory { files, lazy: true, named: Some("big.obj"), ..Memory::default() };
+        let mut window = window_on(width, height, memory);
+        work(&mut window);
+        assert_eq!(window.state().app().subtitle(), "big.obj");
+        assert_eq!(window.state().app().overview.outputs().draws.len(), 1);
+    }
+}
+
 #[test]
 fn edits_of_a_large_scene_show_the_old_image_until_the_new_one_is_there() {
     let mut window = lazy();

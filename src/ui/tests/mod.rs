@@ -38,6 +38,8 @@ struct Memory {
     hints: bool,
     /// Whether work waits for [`Memory::work`]; else it is done at once.
     lazy: bool,
+    /// The file that the program is started with; it is read before the first frame.
+    named: Option<&'static str>,
     waiting: Vec<Box<dyn FnOnce() + Send>>,
 }
 
@@ -159,7 +161,10 @@ fn window_on(width: f32, height: f32, platform: Memory) -> Window {
                 let Desk { app, platform } = desk;
                 let app = app.get_or_insert_with(|| {
                     let mut app = App::new(ui.ctx());
-                    app.start(ui.ctx(), None, platform);
+                    app.start(ui.ctx(), platform.named, platform);
+                    if platform.named.is_some() {
+                        platform.work();
+                    }
                     app.view.aids.hints &= platform.hints;
                     app
                 });

@@ -329,6 +329,15 @@ fn stencil_and_depth_work_as_one_after_another() {
             });
         }
         assert!(canvas.stencil() == stencils, "{state:?} {triangles:?}");
+        // Without stencil values of its own, too.
+        let mut bare = Canvas::new(SIZE, Clear::default(), Stencil::Without);
+        let input = Triangles {
+            positions: triangles.as_flattened(),
+            indices: None,
+            colors: Colors::Each(&[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11].map(color_of)),
+        };
+        Engine::default().draw(&mut bare, Some(CLEAR), &input, &state);
+        assert!(bare.color() == canvas.color(), "{state:?} {triangles:?}");
         assert!(bits(canvas.depth()) == depths, "{state:?} {triangles:?}");
     }
 }

@@ -211,6 +211,10 @@ impl FrameJob<'_> {
         let Self { bins, clear, state, rules } = *self;
         let keep = state.skips.has(Skip::Clear);
         let columns = strip.clean.len();
+        let stencil = match strip.stencil.is_empty() && state.stencil.is_none() {
+            true => Stencil::Without,
+            false => Stencil::With,
+        };
         for index in 0..columns {
             let list = bins.list(strip.top as usize / TILE * columns + index);
             let left = (index * TILE) as u32;
@@ -223,7 +227,7 @@ impl FrameJob<'_> {
                         stats.clean += 1;
                         stats.clean_pixels += strip.pixels(left);
                     } else {
-                        tile.clear(clear, strip);
+                        tile.clear(clear, stencil);
                         tile.fill_colors(clear.color);
                         tile.store(strip, left);
                     }
@@ -233,7 +237,7 @@ impl FrameJob<'_> {
             }
             stats.binned += list.len() as u64;
             match &clear {
-                Some(clear) => tile.clear(clear, strip),
+                Some(clear) => tile.clear(clear, stencil),
                 None => tile.load(strip, left),
             }
             let job = Job { origin: [left, strip.top], state, rules };

@@ -15,7 +15,7 @@ pub struct State {
     pub depth: DepthState,
     /// How depths are stored.
     pub store: DepthStore,
-    /// The stencil test, for canvases with stencil values.
+    /// The stencil test; in canvases without stencil values these are the cleared ones, or 0, in each call.
     pub stencil: Option<StencilState>,
     /// Who draws a centre on an edge.
     pub fill_rule: FillRule,

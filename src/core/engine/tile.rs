@@ -5,7 +5,7 @@
 
 use super::{
     Stats,
-    canvas::{Clear, Strip, TILE},
+    canvas::{Clear, Stencil, Strip, TILE},
     lanes::LANES,
     paint::{Brushes, Painter},
     stamp::{self, Each, Place, SIDE, STAMP, STAMPS, band, band_mut, copy_row, set_row},
@@ -56,10 +56,10 @@ impl Default for Tile {
 }
 
 impl Tile {
-    /// Makes all pixels of a strip's tile empty, but for their colours.
-    pub(super) fn clear(&mut self, clear: &Clear, strip: &Strip<'_>) {
+    /// Makes all pixels empty, but for their colours, and for stencil values unless they are asked for.
+    pub(super) fn clear(&mut self, clear: &Clear, stencil: Stencil) {
         self.depth.0.fill([clear.depth; STAMP]);
-        if !strip.stencil.is_empty() {
+        if stencil == Stencil::With {
             self.stencil.0.fill([clear.stencil; STAMP]);
         }
         self.touched = [0; TILE];
@@ -78,6 +78,9 @@ impl Tile {
             if let Some(stencil) = strip.stencil.get(range) {
                 set_row(band_mut(&mut self.stencil.0, y), y, stencil);
             }
+        }
+        if strip.stencil.is_empty() {
+            self.stencil.0.fill([0; STAMP]);
         }
         self.touched = [0; TILE];
         self.farthest = [f32::INFINITY; BLOCKS];

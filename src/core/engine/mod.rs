@@ -211,10 +211,8 @@ impl FrameJob<'_> {
         let Self { bins, clear, state, rules } = *self;
         let keep = state.skips.has(Skip::Clear);
         let columns = strip.clean.len();
-        let stencil = match strip.stencil.is_empty() && state.stencil.is_none() {
-            true => Stencil::Without,
-            false => Stencil::With,
-        };
+        let unasked = strip.stencil.is_empty() && state.stencil.is_none();
+        let stencil = if unasked { Stencil::Without } else { Stencil::With };
         for index in 0..columns {
             let list = bins.list(strip.top as usize / TILE * columns + index);
             let left = (index * TILE) as u32;

@@ -23,6 +23,7 @@ pub(super) struct Rows {
     end: [u32; LANES],
     /// The same with a bit for each column.
     pub(super) bits: [u64; LANES],
+    /// How many columns each has.
     width: [u32; LANES],
     /// What is covered in any of them, and what in all; of rows that are not asked for nothing is.
     pub(super) any: u64,

@@ -26,11 +26,11 @@ const SMALL: f32 = 1e-15;
 /// Added to a number, leaves it rounded in the low bits: 1.5 * 2^23.
 const SHIFT: f32 = 12_582_912.0;
 
-/// Less than any distance.
-const UNKNOWN: u32 = (-1.0_f32).to_bits();
-
 /// The bits of that in each of four codes.
 const SHIFTED: u32 = SHIFT.to_bits().wrapping_mul(0x0101_0101);
+
+/// Less than any distance.
+const UNKNOWN: u32 = (-1.0_f32).to_bits();
 
 /// Paints the pixels of a few triangles of a mesh.
 ///

@@ -192,7 +192,10 @@ fn fitting(ui: &Ui, face: &Face<'_>, count: &str, width: f32) -> (String, egui::
         return (count.to_owned(), font);
     }
     let thousands = digits.parse().map_or(0, |n: u64| (n + 500) / 1000);
-    (face.say_with("ui-thousands", "count", thousands as usize), font)
+    let count = face.say_with("ui-thousands", "count", thousands as usize);
+    // A number that is cut would be another number.
+    let (font, _) = largest(ui, face, &count, width, &[Text::Count, Text::LabelStrong, Text::Small]);
+    (count, font)
 }
 
 /// Names and counts.

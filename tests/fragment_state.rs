@@ -168,7 +168,7 @@ fn a_bias_is_shown_beside_the_depth() {
     scene.depth_format = DepthFormat::Unorm16;
     scene.draws[0].placement.bias = DepthBias { constant: -100, slope: 0.0, clamp: 0.0 };
     let history = pixel_history_of(&scene, [12, 10]);
-    let placed = history.entries[0].placed.expect("it has a bias");
+    let placed = history.entries[0].samples[0].placed.expect("it has a bias");
     assert_eq!(placed.bias, -100.0 / 65535.0);
     let details = history.entries[0].details(&scene);
     assert!(details.iter().any(|line| line.id == "pipeline-pixel-biased"), "{details:?}");

@@ -5,7 +5,7 @@ use rasterscope_core::{
     clip::polygon::Plane,
     labs,
     message::{Message, Value},
-    pipeline::{Outcome, Skips, pixel_history_of, render},
+    pipeline::{Later, Outcome, Pipeline, Skips, pixel_history, pixel_history_of},
     replay::Budget,
     scene::{Draw, Geometry, Lab, Mesh, PRESETS, Scene},
     transform::Projection,
@@ -52,27 +52,85 @@ fn a_depth_that_is_not_written_says_so() {
     assert!(first.details(&scene).iter().any(|line| line.id == "pipeline-pixel-depth-unwritten"));
 }
 
-/// At some pixels of every small preset: the history ends with what the image holds.
+/// At the pixels of every small preset, with any number of samples: the history ends with what the image holds.
 #[test]
 fn histories_end_with_the_image() {
+    let mut partly = 0;
     for preset in PRESETS {
-        let scene = scene(preset.name);
+        let mut scene = scene(preset.name);
         if scene.draws.is_empty() || scene.size[0] > 40 {
             continue;
         }
-        let frame = render(&scene, &Skips::ALL);
-        for (x, y) in [(9, 11), (13, 11), (3, 5), (20, 14), (17, 6)] {
-            let pixel = [x % scene.size[0], y % scene.size[1]];
-            let history = pixel_history_of(&scene, pixel);
-            let at = frame.index(pixel);
-            assert_eq!(
-                (history.color, history.stencil),
-                (frame.pixel(pixel), frame.stencil[at]),
-                "{}",
-                preset.name
-            );
+        for samples in [1, 2, 4, 8] {
+            scene.samples = samples;
+            let mut pipeline = Pipeline::default();
+            pipeline.update(&scene, &Skips::ALL);
+            let frame = &pipeline.outputs().frame;
+            for pixel in (0..scene.size[1]).flat_map(|y| (0..scene.size[0]).map(move |x| [x, y])) {
+                let history = pixel_history(&scene, pipeline.outputs(), pixel);
+                let at = frame.index(pixel);
+                let depth = frame.depth_codes.as_ref().map_or(frame.depth[at].to_bits(), |codes| codes[at]);
+                assert_eq!(
+                    (history.color, history.depth, history.stencil),
+                    (frame.pixel(pixel), depth, frame.stencil[at]),
+                    "{} at {pixel:?} with {samples} samples",
+                    preset.name
+                );
+                partly += usize::from(history.sentence().id.starts_with("pipeline-pixel-why-mean"));
+            }
         }
     }
+    assert!(partly > 100, "{partly} pixels lie on outlines");
+}
+
+/// An edge through a pixel: each of the covered samples has its own test, and who is seen in how many is said.
+#[test]
+fn with_several_samples_each_one_has_its_own_tests() {
+    let mut scene = scene("two-through-each-other");
+    scene.samples = 4;
+    let size = scene.size;
+    let pixels = (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| [x, y]));
+    let histories: Vec<_> = pixels.map(|pixel| pixel_history_of(&scene, pixel)).collect();
+    let both = histories.iter().find(|history| {
+        let seen = history.sentence();
+        let whole = history.entries.iter().any(|entry| entry.name == "A.1" && entry.samples.len() == 4);
+        seen.id == "pipeline-pixel-why-mean"
+            && argument(&seen, "parts") == &Value::text("2 × A.1, 2 × B")
+            && whole
+    });
+    let both = both.expect("they cut each other in the middle of some pixel");
+    let first = both.entries.iter().find(|entry| entry.is_fragment()).expect("A.1 is drawn");
+    let details = first.details(&scene);
+    let ids: Vec<_> = details.iter().map(|line| line.id).filter(|id| id.contains("sample")).collect();
+    assert_eq!(ids, ["pipeline-pixel-sample"; 4]);
+    let reasons: Vec<_> = first.samples.iter().map(|sample| sample.outcome).collect();
+    let overwritten =
+        |outcome: &&Outcome| matches!(outcome, Outcome::Written { later: Later::Overwritten, .. });
+    assert_eq!(reasons.iter().filter(overwritten).count(), 2, "{reasons:?}");
+    let partly = histories.iter().find(|history| history.sentence().id == "pipeline-pixel-why-mean-clear");
+    assert!(partly.is_some(), "an outline goes through pixels");
+}
+
+/// A triangle around a centre that no sample of the pixel shares.
+#[test]
+fn a_triangle_between_the_samples_covers_none() {
+    let mut scene = beyond_the_corner([[0.0; 2]; 3]);
+    scene.draws[0].cull = rasterscope_core::cull::CullMode::None;
+    let size = scene.size.map(|n| n as f32);
+    let centre = [size[0] / 2.0 + 0.5, size[1] / 2.0 - 0.5];
+    let half = 0.1;
+    let [x, y] = centre;
+    let around = [[x - half, y + half], [x + half, y + half], [x, y - half]];
+    let height = 2.0 / size[1];
+    let place = around.map(|[x, y]| [(x - size[0] / 2.0) * height, (size[1] / 2.0 - y) * height]);
+    let positions = place.map(|[x, y]| [x, y, 0.0]).to_vec();
+    scene.draws[0].geometry = Geometry::Mesh(Arc::new(Mesh::soup(positions, [1.0; 4])));
+    let pixel = centre.map(|n| n as u32);
+    assert_eq!(pixel_history_of(&scene, pixel).sentence().id, "pipeline-pixel-drawn");
+    scene.samples = 4;
+    let history = pixel_history_of(&scene, pixel);
+    assert_eq!(history.entries[0].outcome, Outcome::NoSample);
+    assert_eq!(history.sentence().id, "pipeline-pixel-why-no-sample");
 }
 
 /// Seen from straight above, 3 wide and 2 high: beyond its corner lie triangles that no plane alone excludes.
@@ -132,11 +190,12 @@ fn every_entry_has_a_lab_that_runs() {
     let mut seen = std::collections::BTreeSet::new();
     for preset in PRESETS {
         let scene = scene(preset.name);
-        if scene.draws.is_empty() || scene.size[0] > 40 || scene.samples > 1 {
+        if scene.draws.is_empty() || scene.size[0] > 40 {
             continue;
         }
-        for pixel in [[13, 11], [3, 5], [20, 14]] {
+        for (samples, pixel) in [(1, [13, 11]), (1, [3, 5]), (1, [20, 14]), (4, [13, 11]), (4, [3, 5])] {
             let pixel = [0, 1].map(|axis| pixel[axis] % scene.size[axis]);
+            let scene = Scene { samples, ..scene.clone() };
             for entry in &pixel_history_of(&scene, pixel).entries {
                 let mut scene = scene.clone();
                 let input = labs::lab_of(entry, &scene);

@@ -39,12 +39,16 @@ pipeline-pixel-cut-off = clipped by the { $plane } plane
 pipeline-pixel-zero-area = no area on the screen
 pipeline-pixel-outside-edge = outside an edge
 pipeline-pixel-lost-tie = on an edge: the neighbour draws it
+pipeline-pixel-no-sample = covers no sample
 pipeline-pixel-scissored = outside the scissor rectangle
 pipeline-pixel-discarded = discarded by the alpha test
 pipeline-pixel-stencil = stencil test failed
 pipeline-pixel-depth = depth test failed
 
 pipeline-pixel-would-cover = Its edges would contain this centre.
+pipeline-pixel-would-cover-samples = Its edges would contain samples of this pixel.
+pipeline-pixel-shaded = shaded once, at { $at }
+pipeline-pixel-sample = sample { $index }: { $reason }
 pipeline-pixel-edge-value = { $edge }(centre) = { $value } < 0
 pipeline-pixel-on-edge = { $edge }(centre) = 0
 pipeline-pixel-determinant = det (x, y, w) = { $value }
@@ -77,12 +81,15 @@ pipeline-pixel-drawn = { $name } drew this pixel.
 pipeline-pixel-why-own-black = { $name } drew this pixel, and is black there itself.
 pipeline-pixel-why-left-black = { $name } was blended over this pixel last, and that left it black.
 pipeline-pixel-why-transparent = { $name } came last, with alpha 0: it changed nothing.
+pipeline-pixel-why-mean = The mean of { $count } samples: { $parts }.
+pipeline-pixel-why-mean-clear = The mean of { $count } samples: { $parts }, { $clear } × clear.
 pipeline-pixel-why-nothing = Nothing comes to this pixel: it shows the clear colour.
 pipeline-pixel-why-depth = The pixel is clear: { $name } came to it, but its depth test failed.
 pipeline-pixel-why-stencil = The pixel is clear: { $name } came to it, but its stencil test failed.
 pipeline-pixel-why-discarded = The pixel is clear: { $name } came to it, but was discarded for its alpha.
 pipeline-pixel-why-scissored = The pixel is clear: it lies outside the scissor rectangle of { $name }.
 pipeline-pixel-why-lost-tie = The pixel is clear: its centre lies on an edge of { $name } that does not draw it.
+pipeline-pixel-why-no-sample = The pixel is clear: { $name } covers none of its samples.
 pipeline-pixel-why-cut-off = The pixel is clear: the { $plane } plane cut off what { $name } would show here.
 pipeline-pixel-why-back-facing = The pixel is clear: { $name } would cover it, but is culled, as it shows its back.
 pipeline-pixel-why-front-facing = The pixel is clear: { $name } would cover it, but is culled, as it shows its front.

@@ -90,8 +90,9 @@ impl DepthPlane {
         self.depth_at(centre(x, y), tally)
     }
 
+    /// [`depth`](Self::depth) at any point, such as a sample of a pixel.
     #[inline]
-    fn depth_at(&self, point: [f32; 2], tally: &mut Tally) -> f32 {
+    pub fn depth_at(&self, point: [f32; 2], tally: &mut Tally) -> f32 {
         match (&self.form, &self.offset) {
             (Form::Constant(z), None) => *z,
             (Form::Constant(_) | Form::Exact(_), _) => {

@@ -43,7 +43,7 @@ pub use frame::Frame;
 pub use lit::Lit;
 pub use names::{draw_name, screen_names, triangle_name};
 pub use objects::Bounding;
-pub use outcome::{Later, Outcome, PixelEntry, PixelHistory, Placed};
+pub use outcome::{Later, Outcome, PixelEntry, PixelHistory, Placed, SampleEntry};
 pub use overlay::{Changed, Layer, Overlay, Wires};
 pub use picture::Picture;
 pub use pixel::{pixel_history, pixel_history_of};

@@ -18,10 +18,28 @@ use std::ops::Range;
 
 /// What one sample holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Sample {
-    color: [u8; 4],
-    depth: u32,
-    stencil: u8,
+pub(super) struct Sample {
+    pub(super) color: [u8; 4],
+    pub(super) depth: u32,
+    pub(super) stencil: u8,
+}
+
+impl Sample {
+    /// What is left by clearing, given the code of the depth.
+    pub(super) fn cleared(state: &ImageState, depth: u32) -> Self {
+        Self { color: state.clear_color(), depth, stencil: state.clear.stencil }
+    }
+
+    /// The colour that a pixel with these samples shows.
+    pub(super) fn mean(samples: &[Self], state: &ImageState) -> [u8; 4] {
+        [0, 1, 2, 3].map(|channel| {
+            let mut codes = [0; Samples::MOST];
+            for (code, sample) in codes.iter_mut().zip(samples) {
+                *code = sample.color[channel];
+            }
+            state.samples.resolve(&codes)
+        })
+    }
 }
 
 /// The samples of all pixels, pixel by pixel.
@@ -35,12 +53,12 @@ pub(super) struct Multisample {
 impl Multisample {
     pub(super) fn new(state: &ImageState, depth: u32, pixels: usize) -> Self {
         let count = state.samples.count() as usize;
-        Self { count, samples: vec![cleared(state, depth); count * pixels] }
+        Self { count, samples: vec![Sample::cleared(state, depth); count * pixels] }
     }
 
     /// Clears a range of pixels.
     pub(super) fn clear(&mut self, pixels: Range<usize>, state: &ImageState, depth: u32) {
-        self.samples[self.count * pixels.start..self.count * pixels.end].fill(cleared(state, depth));
+        self.samples[self.count * pixels.start..self.count * pixels.end].fill(Sample::cleared(state, depth));
     }
 
     fn pixel(&self, index: usize) -> &[Sample] {
@@ -52,21 +70,17 @@ impl Multisample {
     }
 }
 
-fn cleared(state: &ImageState, depth: u32) -> Sample {
-    Sample { color: state.clear_color(), depth, stencil: state.clear.stencil }
-}
-
 /// A triangle that is drawn, with what all its pixels share.
-struct Drawn<'d> {
-    shader: &'d Shader,
-    state: &'d FragmentState,
-    depths: DepthPlane,
-    image: ImageState,
+pub(super) struct Drawn<'d> {
+    pub(super) shader: &'d Shader,
+    pub(super) state: &'d FragmentState,
+    pub(super) depths: DepthPlane,
+    pub(super) image: ImageState,
 }
 
 impl Drawn<'_> {
     /// Where the pixel's colour is computed.
-    fn point(&self, pixel: [u32; 2], mask: u8) -> [f32; 2] {
+    pub(super) fn point(&self, pixel: [u32; 2], mask: u8) -> [f32; 2] {
         let image = &self.image;
         if mask == image.samples.full() {
             centre(pixel[0], pixel[1])
@@ -76,7 +90,7 @@ impl Drawn<'_> {
     }
 
     /// The pixel's colour.
-    fn paint(&self, pixel: [u32; 2], mask: u8, tally: &mut Tally) -> Paint<'_> {
+    pub(super) fn paint(&self, pixel: [u32; 2], mask: u8, tally: &mut Tally) -> Paint<'_> {
         Paint::at_point(self.shader, self.state, self.point(pixel, mask), tally)
     }
 
@@ -87,7 +101,7 @@ impl Drawn<'_> {
     }
 
     /// Stencil and depth of one sample; also whether its depth code is the stored one.
-    fn test(
+    pub(super) fn test(
         &self,
         pixel: [u32; 2],
         index: usize,
@@ -199,13 +213,7 @@ impl Target {
             for x in columns.clone() {
                 let index = frame.index([x, y]);
                 let samples = multisample.pixel(index);
-                for channel in 0..4 {
-                    let mut codes = [0; Samples::MOST];
-                    for (code, sample) in codes.iter_mut().zip(samples) {
-                        *code = sample.color[channel];
-                    }
-                    frame.color[4 * index + channel] = state.samples.resolve(&codes);
-                }
+                frame.color[4 * index..4 * index + 4].copy_from_slice(&Sample::mean(samples, state));
                 depth.fill(index..index + 1, samples[0].depth);
                 frame.stencil[index] = samples[0].stencil;
             }

@@ -1,7 +1,11 @@
 //! What the history of a pixel is made of.
 
 use super::visible::Removed;
-use crate::{clip::polygon::Plane, cull::Facing, raster::Scissor};
+use crate::{
+    clip::polygon::Plane,
+    cull::Facing,
+    raster::{Samples, Scissor},
+};
 
 /// What became of a triangle at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,7 +20,7 @@ pub enum Outcome {
         facing: Facing,
         /// The determinant of its (x, y, w) before clipping, whose sign is the facing.
         determinant: f64,
-        /// Whether it would have covered the pixel's centre.
+        /// Whether it would have covered the pixel: one of its samples.
         would_cover: bool,
     },
     /// Nothing is left of it after clipping.
@@ -37,6 +41,8 @@ pub enum Outcome {
         /// Which edge, from 0.
         edge: u8,
     },
+    /// It covers none of several samples, though the centre lies in it or on an edge.
+    NoSample,
     /// The scissor rectangle of its draw does not hold the pixel.
     Scissored(Scissor),
     /// The alpha test discarded it.
@@ -73,15 +79,15 @@ pub enum Outcome {
     },
 }
 
-/// What became of a written fragment's colour later.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What became of a written fragment's colour later; the least first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Later {
-    /// It is what the pixel shows.
-    Shown,
-    /// Later fragments were blended over it.
-    BlendedOver,
     /// A later fragment replaced it.
     Overwritten,
+    /// Later fragments were blended over it.
+    BlendedOver,
+    /// It is what the pixel shows.
+    Shown,
 }
 
 /// One triangle, or one piece of it, at a pixel.
@@ -95,12 +101,25 @@ pub struct PixelEntry {
     pub triangle: Option<u32>,
     /// Which part of it, if clipping left several.
     pub part: Option<u32>,
-    /// What became of it.
+    /// What became of it; of several samples, that of the one where it came farthest.
+    pub outcome: Outcome,
+    /// What became of it at each sample that it covers, if it came as far as the tests.
+    pub samples: Vec<SampleEntry>,
+    /// Where it is shaded, if it is: x and y in pixels.
+    pub at: Option<[f32; 2]>,
+    /// What its colour was before it was blended or rounded, if it was written.
+    pub source: Option<[f32; 4]>,
+}
+
+/// One triangle at one sample of a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SampleEntry {
+    /// Which sample, from 0.
+    pub sample: u8,
+    /// What became of it there.
     pub outcome: Outcome,
     /// What its depth is made of, if a bias or the planes change it.
     pub placed: Option<Placed>,
-    /// What its colour was before it was blended or rounded, if it was written.
-    pub source: Option<[f32; 4]>,
 }
 
 /// A fragment's depth before and with its bias; in binary64, to be shown.
@@ -117,16 +136,18 @@ pub struct Placed {
 pub struct PixelHistory {
     /// Column and row.
     pub pixel: [u32; 2],
+    /// How many samples it has.
+    pub samples: Samples,
     /// Colour codes after the clear.
     pub clear_color: [u8; 4],
     /// Depth code after the clear.
     pub clear_depth: u32,
     /// What came, in drawing order.
     pub entries: Vec<PixelEntry>,
-    /// Colour codes at the end.
+    /// Colour codes at the end: the mean of the samples'.
     pub color: [u8; 4],
-    /// Depth code at the end.
+    /// Depth code at the end, of sample 0.
     pub depth: u32,
-    /// Stencil value at the end.
+    /// Stencil value at the end, of sample 0.
     pub stencil: u8,
 }

@@ -7,20 +7,21 @@
 use super::{
     DrawOutputs, Outputs, Piece, Skips,
     evaluate::Pipeline,
-    fragments::{FragmentState, ImageState, Paint},
+    fragments::{FragmentState, ImageState},
+    multisample::{Drawn, Sample},
     names::triangle_name,
-    outcome::{Later, Outcome, PixelEntry, PixelHistory, Placed},
-    shader::Shader,
+    outcome::{Later, Outcome, PixelEntry, PixelHistory, Placed, SampleEntry},
+    shader::{Color, Shader},
     stages::{Clipped, Point},
     visible::Visible,
 };
 use crate::{
     clip::polygon::Plane,
     cull::facing,
-    depth::{DepthBuffer, DepthPlane},
+    depth::DepthPlane,
     math::{Arithmetic, Tally, edge_value},
     raster::{
-        Settings, YAxis,
+        Samples, YAxis,
         edge::{Edges, centre},
     },
     scene::{Draw, Scene},
@@ -33,35 +34,62 @@ const LIST_ALL: usize = 16;
 
 /// The history of a pixel of the image. `outputs` are those of the same scene.
 pub fn pixel_history(scene: &Scene, outputs: &Outputs, pixel: [u32; 2]) -> PixelHistory {
-    let state = ImageState::new(scene, Default::default(), Skips::NONE);
-    let depth = DepthBuffer::new([1, 1], scene.depth_format, scene.clear.depth);
-    let clear_color = state.clear_color();
+    let image = ImageState::new(scene, Default::default(), Skips::NONE);
+    let clear_depth = image.format.encode(image.clear.depth);
     let mut probe = Probe {
         pixel,
         at: centre(pixel[0], pixel[1]),
-        settings: state.settings(),
+        image,
         viewport: outputs.viewport,
         list_all: outputs.draws.iter().map(|draw| draw.mesh().triangles.len()).sum::<usize>() <= LIST_ALL,
-        color: clear_color,
-        stencil: scene.clear.stencil,
-        depth,
+        held: vec![Sample::cleared(&image, clear_depth); image.samples.count() as usize],
         entries: Vec::new(),
         tally: Tally::default(),
     };
-    let clear_depth = probe.depth.code([0, 0]);
     for (index, (draw, stages)) in scene.draws.iter().zip(&outputs.draws).enumerate() {
         probe.draw(index, draw, stages);
     }
-    let Probe { color, stencil, depth, mut entries, .. } = probe;
+    let Probe { held, mut entries, .. } = probe;
+    for sample in 0..held.len() {
+        settle(&mut entries, sample, scene);
+    }
+    for entry in &mut entries {
+        let decisive = entry.samples.iter().map(|sample| sample.outcome).reduce(farther);
+        entry.outcome = decisive.unwrap_or(entry.outcome);
+    }
+    PixelHistory {
+        pixel,
+        samples: image.samples,
+        clear_color: image.clear_color(),
+        clear_depth,
+        entries,
+        color: Sample::mean(&held, &image),
+        depth: held[0].depth,
+        stencil: held[0].stencil,
+    }
+}
+
+/// What later fragments did to those of a sample.
+fn settle(entries: &mut [PixelEntry], sample: usize, scene: &Scene) {
     let mut fate = Later::Shown;
-    for entry in entries.iter_mut().rev() {
-        if let Outcome::Written { later, .. } = &mut entry.outcome {
+    for PixelEntry { draw, samples, .. } in entries.iter_mut().rev() {
+        let own = samples.iter_mut().find(|own| usize::from(own.sample) == sample);
+        if let Some(SampleEntry { outcome: Outcome::Written { later, .. }, .. }) = own {
             *later = fate;
-            let blends = scene.draws[entry.draw].blend.is_some();
+            let blends = scene.draws[*draw].blend.is_some();
             fate = if blends && fate != Later::Overwritten { Later::BlendedOver } else { Later::Overwritten };
         }
     }
-    PixelHistory { pixel, clear_color, clear_depth, entries, color, depth: depth.code([0, 0]), stencil }
+}
+
+/// That of two samples' outcomes where the fragment came farther, or was seen longer; else the first.
+fn farther(a: Outcome, b: Outcome) -> Outcome {
+    let rank = |outcome| match outcome {
+        Outcome::Written { later, .. } => (2, Some(later)),
+        Outcome::Depth { .. } => (1, None),
+        _ => (0, None),
+    };
+    if rank(b) > rank(a) { b } else { a }
 }
 
 /// [`pixel_history`] of a scene that has not been drawn.
@@ -74,13 +102,13 @@ pub fn pixel_history_of(scene: &Scene, pixel: [u32; 2]) -> PixelHistory {
 /// One pixel while the scene is drawn.
 struct Probe {
     pixel: [u32; 2],
+    /// Its centre.
     at: [f32; 2],
-    settings: Settings,
+    image: ImageState,
     viewport: Viewport,
     list_all: bool,
-    color: [u8; 4],
-    stencil: u8,
-    depth: DepthBuffer,
+    /// What its samples hold.
+    held: Vec<Sample>,
     entries: Vec<PixelEntry>,
     tally: Tally,
 }
@@ -96,7 +124,8 @@ impl Probe {
                     triangle: None,
                     part: None,
                     outcome: Outcome::ObjectOutside(plane),
-                    placed: None,
+                    samples: Vec::new(),
+                    at: None,
                     source: None,
                 });
             }
@@ -116,7 +145,8 @@ impl Probe {
                 triangle: Some(triangle),
                 part,
                 outcome,
-                placed: None,
+                samples: Vec::new(),
+                at: None,
                 source: None,
             };
             match self.before_screen(clip, draw, stages, (triangle, visible)) {
@@ -136,8 +166,8 @@ impl Probe {
                         let seen = self.piece(piece, (clip, visible), stages, &state);
                         if seen.near || self.list_all {
                             let part = (these.len() > 1).then_some(piece.part);
-                            let Seen { outcome, placed, source, .. } = seen;
-                            self.entries.push(PixelEntry { placed, source, ..entry(part, outcome) });
+                            let Seen { outcome, samples, at, source, .. } = seen;
+                            self.entries.push(PixelEntry { samples, at, source, ..entry(part, outcome) });
                         }
                     }
                 }
@@ -165,7 +195,7 @@ impl Probe {
         let place = |i: u32| self.viewport.to_screen(divide(clipped.corners[i as usize]));
         let pieces: Vec<_> = clipped.pieces.iter().map(|piece| piece.corners.map(place)).collect();
         let near = pieces.iter().any(|corners| self.is_near(corners));
-        let would_cover = pieces.iter().any(|corners| self.miss(corners).is_none());
+        let would_cover = pieces.iter().any(|corners| self.coverage(corners).is_ok());
         Some((Outcome::Culled { facing, determinant: determinant(wide(clip)), would_cover }, near))
     }
 
@@ -179,78 +209,96 @@ impl Probe {
     ) -> Seen {
         let corners = piece.corners.map(|i| stages.screen()[i as usize]);
         let near = self.is_near(&corners);
-        let unseen = |outcome, near| Seen { outcome, near, placed: None, source: None };
-        if let Some(miss) = self.miss(&corners) {
-            let cut_off = self.cut_off(clip).filter(|plane| visible.clips_at(*plane));
-            return unseen(cut_off.map_or(miss, Outcome::CutOff), near || cut_off.is_some());
-        }
+        let unseen = |outcome, near| Seen { outcome, near, samples: Vec::new(), at: None, source: None };
+        let mask = match self.coverage(&corners) {
+            Ok(mask) => mask,
+            Err(miss) => {
+                let cut_off = self.cut_off(clip).filter(|plane| visible.clips_at(*plane));
+                return unseen(cut_off.map_or(miss, Outcome::CutOff), near || cut_off.is_some());
+            }
+        };
         let Some(shader) = Shader::new(stages, piece, state.texture, &mut self.tally) else {
             return unseen(Outcome::ZeroArea, near);
         };
-        if let Some(outcome) = self.cut(&shader, state) {
+        let bare = DepthPlane::new(corners.map(|[x, y, z, _]| [x, y, z]), Arithmetic::Exact, &mut self.tally);
+        let depths = bare.clone().placed(&state.placement, self.image.format);
+        let drawn = Drawn { shader: &shader, state, depths, image: self.image };
+        let at = drawn.point(self.pixel, mask);
+        let color = shader.at(at, &mut self.tally);
+        if let Some(outcome) = self.cut(&color, state) {
             return unseen(outcome, near);
         }
-        let format = self.depth.format();
-        let bare = DepthPlane::new(corners.map(|[x, y, z, _]| [x, y, z]), Arithmetic::Exact, &mut self.tally);
-        let plane = bare.placed(&state.placement, format);
+        let covered = (0..self.image.samples.count() as u8).filter(|sample| mask & 1 << sample != 0);
+        let samples: Vec<_> = covered.map(|sample| self.sample(sample, mask, &drawn, &bare)).collect();
+        let written = samples.iter().any(|sample| matches!(sample.outcome, Outcome::Written { .. }));
+        let source = written.then(|| color.values(&mut self.tally));
+        Seen { outcome: samples[0].outcome, near, samples, at: Some(at), source }
+    }
+
+    /// The tests of one sample, and what they leave there. `bare` is the plane without a bias.
+    fn sample(&mut self, sample: u8, mask: u8, drawn: &Drawn<'_>, bare: &DepthPlane) -> SampleEntry {
+        let Self { pixel, image, held, tally, .. } = self;
+        let (pixel, index) = (*pixel, usize::from(sample));
+        let Drawn { state, depths, .. } = drawn;
+        let before = held[index];
+        let held = &mut held[index];
+        let (tested, _) = drawn.test(pixel, index, held, tally);
+        let point = image.samples.point(pixel, index, image.y_axis);
+        let new = depths.code_at(point, image.format, tally);
         let placed = (!state.placement.is_plain())
-            .then(|| Placed { plane: bare.depth(self.pixel, &mut self.tally).into(), bias: plane.bias() });
-        let new = plane.code(self.pixel, format, &mut self.tally);
-        let (stored, stencil) = (self.depth.code([0, 0]), self.stencil);
-        let depth = &mut self.depth;
-        let tested = state.test(&mut self.stencil, || depth.test(state.depth, [0, 0], new));
-        let stencil = [stencil, self.stencil];
+            .then(|| Placed { plane: bare.depth_at(point, tally).into(), bias: depths.bias() });
+        let (stored, stencil) = (before.depth, [before.stencil, held.stencil]);
         let outcome = match tested {
             StencilOutcome::Fail => Outcome::Stencil { stored: stencil },
             StencilOutcome::DepthFail => Outcome::Depth { new, stored, stencil },
             StencilOutcome::Pass => {
-                let paint = Paint::new(&shader, state, self.pixel, &mut self.tally);
-                let before = self.color;
-                self.color = paint.over(before, state, &mut self.tally);
+                held.color = drawn.paint(pixel, mask, tally).over(before.color, state, tally);
                 let depth = state.depth.test.then_some(new);
-                Outcome::Written { depth, stored, color: [before, self.color], stencil, later: Later::Shown }
+                let color = [before.color, held.color];
+                Outcome::Written { depth, stored, color, stencil, later: Later::Shown }
             }
         };
-        let written = tested == StencilOutcome::Pass;
-        let source = written.then(|| shader.at(self.at, &mut self.tally).values(&mut self.tally));
-        Seen { outcome, near, placed, source }
+        SampleEntry { sample, outcome, placed }
     }
 
     /// What keeps a covered pixel from the tests.
-    fn cut(&mut self, shader: &Shader, state: &FragmentState) -> Option<Outcome> {
-        if state.is_plain() {
-            return None;
-        }
+    fn cut(&mut self, color: &Color<'_>, state: &FragmentState) -> Option<Outcome> {
         if let Some(scissor) = state.scissor.filter(|scissor| !scissor.holds(self.pixel)) {
             return Some(Outcome::Scissored(scissor));
         }
-        let color = shader.at(self.at, &mut self.tally);
         let kept = color.is_kept(state.alpha_test, &mut self.tally);
         (!kept).then(|| Outcome::Discarded { alpha: color.values(&mut self.tally)[3] })
     }
 
-    /// Whether the box around a piece holds the pixel's centre.
+    /// Whether the box around a piece holds the pixel's centre or, of several samples, something of the pixel.
     fn is_near(&self, corners: &[Point; 3]) -> bool {
+        let around = if self.image.samples == Samples::One { 0.0 } else { 0.5 };
         [0, 1].into_iter().all(|axis| {
             let low = corners.iter().map(|corner| corner[axis]).fold(f32::INFINITY, f32::min);
             let high = corners.iter().map(|corner| corner[axis]).fold(f32::NEG_INFINITY, f32::max);
-            (low..=high).contains(&self.at[axis])
+            (low - around..=high + around).contains(&self.at[axis])
         })
     }
 
-    /// Why a piece does not cover the pixel's centre; `None` if it does.
-    fn miss(&mut self, corners: &[Point; 3]) -> Option<Outcome> {
+    /// Which samples a piece covers, or why none.
+    fn coverage(&mut self, corners: &[Point; 3]) -> Result<u8, Outcome> {
         let vertices = corners.map(|[x, y, ..]| [x, y]);
-        let Some(Edges(edges)) = Edges::new(vertices, &self.settings, &mut self.tally) else {
-            return Some(Outcome::ZeroArea);
+        let Some(edges) = Edges::new(vertices, &self.image.settings(), &mut self.tally) else {
+            return Err(Outcome::ZeroArea);
         };
+        let mask = self.image.samples.mask(&edges, self.pixel, self.image.y_axis, &mut self.tally);
+        if mask != 0 {
+            return Ok(mask);
+        }
+        let Edges(edges) = edges;
         let sides = edges.map(|edge| edge.side(self.at, &mut self.tally));
         if let Some(edge) = sides.iter().position(|side| side.is_negative()) {
             let [a, b] = edges[edge].ends;
-            return Some(Outcome::OutsideEdge { edge: edge as u8, value: edge_value(a, b, self.at).value });
+            return Err(Outcome::OutsideEdge { edge: edge as u8, value: edge_value(a, b, self.at).value });
         }
-        let lost = (0..3).find(|&i| !edges[i].draws(sides[i]))?;
-        Some(Outcome::LostTie { edge: lost as u8 })
+        let lost = (0..3).find(|&i| !edges[i].draws(sides[i]));
+        let lost = lost.filter(|_| self.image.samples == Samples::One);
+        Err(lost.map_or(Outcome::NoSample, |edge| Outcome::LostTie { edge: edge as u8 }))
     }
 
     /// The depth plane that cut off what the unclipped triangle would show here.
@@ -290,7 +338,8 @@ struct Seen {
     outcome: Outcome,
     /// Whether it was near the pixel.
     near: bool,
-    placed: Option<Placed>,
+    samples: Vec<SampleEntry>,
+    at: Option<[f32; 2]>,
     source: Option<[f32; 4]>,
 }
 

@@ -5,22 +5,20 @@ use crate::{
     interpolate::Barycentric,
     math::Tally,
     message::Message,
-    raster::edge::centre,
     scene::{Scene, Shade},
     trace::NoTrace,
 };
 
 /// A few short lines about a fragment of a shaded draw; none for any other entry. `outputs` are those of
 /// the same scene.
-pub fn pixel_light(scene: &Scene, outputs: &Outputs, entry: &PixelEntry, pixel: [u32; 2]) -> Vec<Message> {
+pub fn pixel_light(scene: &Scene, outputs: &Outputs, entry: &PixelEntry) -> Vec<Message> {
     let (Some(draw), Some(stages)) = (scene.draws.get(entry.draw), outputs.draws.get(entry.draw)) else {
         return Vec::new();
     };
-    if draw.shade == Shade::None || !entry.is_fragment() {
+    let Some(at) = entry.at.filter(|_| draw.shade != Shade::None && entry.is_fragment()) else {
         return Vec::new();
-    }
+    };
     let mut tally = Tally::default();
-    let at = centre(pixel[0], pixel[1]);
     let own = stages.clipped().pieces.iter().filter(|piece| Some(piece.triangle) == entry.triangle);
     let here = |piece: &&super::Piece| {
         let points = piece.corners.map(|i| stages.screen()[i as usize]).map(|[x, y, ..]| [x, y]);

@@ -1,6 +1,6 @@
 //! What the history of a pixel says: message ids with arguments.
 
-use super::outcome::{Later, Outcome, PixelEntry, Placed};
+use super::outcome::{Later, Outcome, PixelEntry, Placed, SampleEntry};
 use crate::{
     blend::{BlendOperation, Terms},
     cull::Facing,
@@ -14,10 +14,10 @@ use crate::{
 /// The channels' names: message ids.
 const CHANNELS: [&str; 4] = ["row-red", "row-green", "row-blue", "row-alpha"];
 
-impl PixelEntry {
-    /// The named reason, in a few words.
-    pub fn reason(&self) -> Message {
-        match self.outcome {
+impl Outcome {
+    /// Its name, in a few words.
+    fn reason(&self) -> Message {
+        match *self {
             Outcome::ObjectOutside(plane) => {
                 Message::new("pipeline-pixel-object-outside").with("plane", Value::Word(plane.word()))
             }
@@ -39,6 +39,7 @@ impl PixelEntry {
             Outcome::ZeroArea => Message::new("pipeline-pixel-zero-area"),
             Outcome::OutsideEdge { .. } => Message::new("pipeline-pixel-outside-edge"),
             Outcome::LostTie { .. } => Message::new("pipeline-pixel-lost-tie"),
+            Outcome::NoSample => Message::new("pipeline-pixel-no-sample"),
             Outcome::Scissored(_) => Message::new("pipeline-pixel-scissored"),
             Outcome::Discarded { .. } => Message::new("pipeline-pixel-discarded"),
             Outcome::Stencil { .. } => Message::new("pipeline-pixel-stencil"),
@@ -48,15 +49,48 @@ impl PixelEntry {
             Outcome::Written { later: Later::Shown, .. } => Message::new("pipeline-pixel-written"),
         }
     }
+}
 
-    /// The numbers behind the reason, a few short lines.
+impl PixelEntry {
+    /// The named reason, in a few words.
+    pub fn reason(&self) -> Message {
+        self.outcome.reason()
+    }
+
+    /// The numbers behind the reason, a few short lines; of several samples those of each, under its number.
     pub fn details(&self, scene: &Scene) -> Vec<Message> {
+        let (Some(at), 2..) = (self.at, scene.samples) else {
+            let placed = self.samples.first().and_then(|sample| sample.placed);
+            return self.numbers((self.outcome, placed), scene);
+        };
+        let mut lines = vec![Message::new("pipeline-pixel-shaded").with("at", at)];
+        for SampleEntry { sample, outcome, placed } in &self.samples {
+            let reason = Value::Word(outcome.reason().id);
+            lines.push(
+                Message::new("pipeline-pixel-sample")
+                    .with("index", u32::from(*sample))
+                    .with("reason", reason),
+            );
+            // What all samples have alike, such as a colour, is said of the first one.
+            let numbers = self.numbers((*outcome, *placed), scene);
+            let new: Vec<_> = numbers.into_iter().filter(|line| !lines.contains(line)).collect();
+            lines.extend(new);
+        }
+        lines
+    }
+
+    fn numbers(&self, (outcome, placed): (Outcome, Option<Placed>), scene: &Scene) -> Vec<Message> {
         let format = scene.depth_format;
         let draw = &scene.draws[self.draw];
-        match self.outcome {
+        match outcome {
             Outcome::Culled { determinant, would_cover, .. } => {
                 let number = Message::new("pipeline-pixel-determinant").with("value", determinant);
-                let covers = would_cover.then(|| Message::new("pipeline-pixel-would-cover"));
+                let id = if scene.samples > 1 {
+                    "pipeline-pixel-would-cover-samples"
+                } else {
+                    "pipeline-pixel-would-cover"
+                };
+                let covers = would_cover.then(|| Message::new(id));
                 std::iter::once(number).chain(covers).collect()
             }
             Outcome::OutsideEdge { edge, value } => {
@@ -99,7 +133,7 @@ impl PixelEntry {
             Outcome::Stencil { stored } => self.stencil(draw, stored, StencilOutcome::Fail),
             Outcome::Depth { new, stored, stencil } => {
                 let mut lines = self.stencil(draw, stencil, StencilOutcome::DepthFail);
-                lines.extend(self.placed());
+                lines.extend(placed.map(made_of));
                 lines.extend(depths(
                     "pipeline-pixel-depth-kept",
                     draw.depth.compare.opposite_sign(),
@@ -111,7 +145,7 @@ impl PixelEntry {
             Outcome::Written { depth, stored, color: [before, after], stencil, .. } => {
                 let mut lines = self.stencil(draw, stencil, StencilOutcome::Pass);
                 if let Some(new) = depth {
-                    lines.extend(self.placed());
+                    lines.extend(placed.map(made_of));
                     let id = if draw.depth.write {
                         "pipeline-pixel-depth-stored"
                     } else {
@@ -128,20 +162,6 @@ impl PixelEntry {
             }
             _ => Vec::new(),
         }
-    }
-
-    /// What its depth is made of, if that is not the plane's.
-    fn placed(&self) -> Option<Message> {
-        let Placed { plane, bias } = self.placed?;
-        let sum = (plane + bias).clamp(0.0, 1.0);
-        let id = if bias == 0.0 {
-            "pipeline-pixel-clamped"
-        } else if sum == plane + bias {
-            "pipeline-pixel-biased"
-        } else {
-            "pipeline-pixel-biased-clamped"
-        };
-        Some(Message::new(id).with("plane", plane).with("bias", bias).with("sum", sum))
     }
 
     /// The stencil test with its masks, and what it stored; nothing without one.
@@ -215,6 +235,19 @@ impl PixelEntry {
             _ => Role::Skipped,
         }
     }
+}
+
+/// What a depth is made of.
+fn made_of(Placed { plane, bias }: Placed) -> Message {
+    let sum = (plane + bias).clamp(0.0, 1.0);
+    let id = if bias == 0.0 {
+        "pipeline-pixel-clamped"
+    } else if sum == plane + bias {
+        "pipeline-pixel-biased"
+    } else {
+        "pipeline-pixel-biased-clamped"
+    };
+    Message::new(id).with("plane", plane).with("bias", bias).with("sum", sum)
 }
 
 /// A depth test in numbers, and in codes unless the depths are the codes.

@@ -40,7 +40,7 @@ pub(crate) struct Entry {
 
 impl History {
     pub(crate) fn new(history: &PixelHistory, scene: &Scene, outputs: &Outputs, words: &Words) -> Self {
-        let light = |entry| pixel_light(scene, outputs, entry, history.pixel);
+        let light = |entry| pixel_light(scene, outputs, entry);
         let entries = history.entries.iter().map(|entry| Entry {
             name: entry.name.clone(),
             reason: words.message(&entry.reason()),

@@ -221,7 +221,7 @@ impl Probe {
             return unseen(Outcome::ZeroArea, near);
         };
         let bare = DepthPlane::new(corners.map(|[x, y, z, _]| [x, y, z]), Arithmetic::Exact, &mut self.tally);
-        let depths = bare.clone().placed(&state.placement, self.image.format);
+        let depths = bare.placed(&state.placement, self.image.format);
         let drawn = Drawn { shader: &shader, state, depths, image: self.image };
         let at = drawn.point(self.pixel, mask);
         let color = shader.at(at, &mut self.tally);

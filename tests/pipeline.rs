@@ -160,6 +160,12 @@ pub(crate) fn random_scene(random: &mut Random) -> Scene {
     scene.clear.depth = random.pick(&[0.0, 0.5, 1.0]);
     scene.fill_rule = random.pick(&FillRule::ALL);
     scene.y_axis = random.pick(&[YAxis::Down, YAxis::Up]);
+    scene.samples = random.pick(&[1, 1, 1, 2, 4, 8]);
+    scene.clear.color = random.pick(&[[0.0; 4], [0.2, 0.5, 1.0, 1.0]]);
+    scene.clear.stencil = random.pick(&[0, 2]);
+    for draw in &mut scene.draws {
+        draw.front = random.pick(&[FrontFace::Ccw, FrontFace::Cw]);
+    }
     scene
 }
 

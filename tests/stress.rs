@@ -5,10 +5,13 @@ use crate::{
     support::{Coverage, check_golden, check_laws, log_text},
 };
 use rasterscope_core::{
-    compare::{Setting, difference},
+    compare::{Pair, Setting, Side, difference},
+    explain::Level,
     labs::{LabInput, Stress},
     math::Arithmetic,
+    message::Value,
     raster::{Algorithm, Settings, Span, rows},
+    replay::Budget,
     scene::Scene,
     stress::{
         Family,
@@ -170,6 +173,27 @@ fn keeps_the_laws() {
         );
     }
     coverage.check_every_line::<Snapshot>();
+}
+
+/// Beside each other two arithmetics go through the same cases together, and differ where one of them breaks.
+#[test]
+fn two_arithmetics_beside_each_other_show_the_same_case() {
+    let [rounded, wide] = [Arithmetic::F32, Arithmetic::F64].map(|arithmetic| {
+        let subject = Subject { arithmetic, ..subject(Operation::Depth, Family::Long, MOST) };
+        trial::play(subject, Budget::default())
+    });
+    let mut pair = Pair::new([Box::new(rounded), Box::new(wide)]);
+    let difference = pair.difference();
+    assert_eq!(difference.changed.len() + difference.same, CASES);
+    assert!(difference.changed.len() > CASES / 2, "{} cases differ", difference.changed.len());
+    for case in 1..=CASES {
+        pair.next(Level::Primitive);
+        for side in Side::ALL {
+            let sentence = pair.run(side).sentence();
+            let number = sentence.args.iter().find(|(name, _)| *name == "number").map(|(_, number)| number);
+            assert_eq!(number, Some(&Value::count(case)), "{side:?}: {sentence:?}");
+        }
+    }
 }
 
 #[test]

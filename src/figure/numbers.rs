@@ -54,8 +54,7 @@ pub fn measured(x: f64) -> String {
     }
     let rounded: f64 = format!("{x:.1e}").parse().unwrap_or(x);
     let decimals = usize::try_from(1 - exponent).unwrap_or(0);
-    let text = format!("{rounded:.decimals$}");
-    pretty(text.trim_end_matches(".0"))
+    pretty(&format!("{rounded:.decimals$}"))
 }
 
 /// One count of decimals for all numbers of a column.
@@ -285,7 +284,9 @@ mod tests {
             (263_417.0, "260\u{2009}000"),
             (14.3, "14"),
             (9.96, "10"),
-            (1.04, "1"),
+            (1.04, "1.0"),
+            (0.96, "0.96"),
+            (0.997, "1.0"),
             (1.26, "1.3"),
             (0.001_26, "0.0013"),
             (2.64e-7, "2.6 × 10⁻⁷"),

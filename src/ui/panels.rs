@@ -23,6 +23,7 @@ use rasterscope_core::{
     compare::{self, Side},
     labs as core_labs,
 };
+use rasterscope_figure::numbers;
 use std::{cell::RefCell, rc::Rc};
 
 /// Width of the choices where they are a panel, and on a projector.
@@ -211,6 +212,11 @@ impl App {
             self.labs[lab].outcome(&self.document, &shown.markers)
         };
         let Some(outcome) = outcome_of(Side::A) else { return of_scene };
+        let empty = self.document.scene.draws.is_empty();
+        // A lab that draws more than the scene, such as an outline: what the scene counts does not follow from it.
+        let came = self.overview.counted().map(|(stats, _)| stats.stage(stage).came);
+        let other = outcome.came.zip(came).is_some_and(|(lab, scene)| lab as u64 != scene);
+        let fragments = core_labs::Stage::ScanConversion..;
         let count = match outcome_of(Side::B) {
             Some(beside) => format!("{} | {}", outcome.went, beside.went),
             None => outcome.count(),
@@ -221,9 +227,14 @@ impl App {
                 chip.count = Some(count.clone());
                 chip.unit = outcome.unit.map_or_else(String::new, |unit| self.words.word(unit));
                 chip.skipped.clear();
-            } else if chip.stage == core_labs::Stage::Scene && self.document.scene.draws.is_empty() {
-                chip.count = Some(outcome.given.0.to_string());
-                chip.unit = self.words.word(outcome.given.1);
+            } else if empty {
+                // The lab has an input of its own: nothing comes to any other stage.
+                let given = (chip.stage == core_labs::Stage::Scene).then_some(outcome.given);
+                chip.count = given.map(|(count, _)| count.to_string());
+                chip.unit = given.map_or_else(String::new, |(_, unit)| self.words.word(unit));
+            } else if other && fragments.contains(&stage) && fragments.contains(&chip.stage) {
+                chip.count = chip.count.is_some().then(|| numbers::UNDEFINED.to_owned());
+                (chip.unit, chip.skipped) = Default::default();
             }
         }
         chips.into()

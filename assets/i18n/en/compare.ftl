@@ -30,7 +30,7 @@ compare-is-reversed = reversed
 compare-cull = Cull
 compare-front = Front
 
-compare-named = points
+compare-named = entries
 compare-corners = corners
 compare-pixels = pixels
 

@@ -7,6 +7,7 @@ use crate::{
     widgets::{row, rule, text_in},
 };
 use egui::{Align2, Rect, Sense, Ui, vec2};
+use rasterscope_core::message::Value;
 use rasterscope_figure::{numbers, plot};
 use rasterscope_measure::{
     claims::{At, CLAIMS},
@@ -176,7 +177,7 @@ fn claim(ui: &mut Ui, face: &Face<'_>, measure: &Measure) {
         for number in &series.numbers {
             let at = match number.at {
                 At::Name(name) => name.to_owned(),
-                At::Number(x) => numbers::measured(x),
+                At::Number(x) => numbers::short(&Value::F64(x)),
             };
             let height = face.look.row_height() - 2.0;
             let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());

@@ -34,6 +34,8 @@ pub struct Snapshot {
     /// What came of each arithmetic in the case in hand, as far as it is judged.
     verdicts: Vec<(Arithmetic, Verdict)>,
     totals: Vec<Total>,
+    /// What came of the arithmetic that is drawn in each case so far.
+    judged: Vec<Verdict>,
     shrunk: bool,
 }
 
@@ -42,7 +44,8 @@ impl Snapshot {
     pub fn new(subject: Arc<Subject>) -> Self {
         let totals = subject.rounded().map(Total::new).collect();
         let (case, drawn) = (subject.case(0), Arithmetic::Exact);
-        Self { subject, index: 0, case, before: None, drawn, verdicts: Vec::new(), totals, shrunk: false }
+        let (verdicts, judged) = (Vec::new(), Vec::new());
+        Self { subject, index: 0, case, before: None, drawn, verdicts, totals, judged, shrunk: false }
     }
 
     /// The result that the events so far amount to.
@@ -73,6 +76,12 @@ impl Snapshot {
             .with("family", Value::Word(dial::word(self.subject.family)))
             .with("arithmetic", Value::text(self.subject.arithmetic.name()))
             .with("number", self.index + 1)
+    }
+
+    /// What came of the arithmetic that is drawn in the case in hand; exact never differs.
+    fn drawn_verdict(&self) -> Verdict {
+        let drawn = self.verdicts.iter().find(|(each, _)| *each == self.subject.arithmetic);
+        drawn.map_or_else(Verdict::default, |(_, verdict)| *verdict)
     }
 
     /// How many numbers are simpler than before.
@@ -199,7 +208,10 @@ impl State for Snapshot {
                     total.add(verdict);
                 }
             }
-            Event::Done { .. } => self.drawn = self.subject.arithmetic,
+            Event::Done { .. } => {
+                self.drawn = self.subject.arithmetic;
+                self.judged.push(self.drawn_verdict());
+            }
             Event::Failing { index } => {
                 self.index = index as usize;
                 self.case = self.subject.case(self.index);
@@ -245,14 +257,12 @@ impl Explain for Snapshot {
         }
     }
 
-    /// A row is a case, a primitive one that breaks.
+    /// A primitive is a case, a row an arithmetic: so two runs go from case to case together, whichever of them break.
     fn level(event: &Event) -> Level {
         match event {
-            Event::Case { .. } | Event::Exact { .. } | Event::Judged { .. } => Level::Detail,
-            Event::Done { broken: false, .. } | Event::Simpler { .. } => Level::Row,
-            Event::Done { broken: true, .. } | Event::Failing { .. } | Event::Sound | Event::Simplest => {
-                Level::Primitive
-            }
+            Event::Case { .. } | Event::Exact { .. } => Level::Detail,
+            Event::Judged { .. } | Event::Simpler { .. } => Level::Row,
+            Event::Done { .. } | Event::Failing { .. } | Event::Sound | Event::Simplest => Level::Primitive,
         }
     }
 
@@ -292,8 +302,7 @@ impl Explain for Snapshot {
                 counted(Message::new(id).with("arithmetic", Value::text(arithmetic.name())), verdict)
             }
             Event::Done { .. } => {
-                let drawn = self.verdicts.iter().find(|(each, _)| *each == self.subject.arithmetic);
-                let verdict = drawn.map_or_else(Verdict::default, |(_, verdict)| *verdict);
+                let verdict = self.drawn_verdict();
                 let id = match verdict {
                     Verdict { wrong: 0, ulps: 0 } => "stress-done-same",
                     Verdict { wrong: 0, ulps: ..=TOLERATED } => "stress-done-close",
@@ -348,14 +357,16 @@ impl Explain for Snapshot {
         self.subject.played(&self.case, self.drawn)?.vantage()
     }
 
+    /// Each case, as the arithmetic that is drawn answers it. How far it is off is a text: it is not added up, nor held
+    /// against another as a number of binary32.
     fn facts(&self, out: &mut Vec<Fact>) {
-        out.extend(self.totals.iter().map(|total| {
+        out.extend(self.judged.iter().enumerate().map(|(index, verdict)| {
             let values = vec![
-                ("column-stress-broken", Value::count(total.broken)),
-                ("column-stress-wrong", total.wrong.into()),
-                ("column-stress-ulps", total.worst.into()),
+                ("column-stress-broken", Value::Int(verdict.breaks().into())),
+                ("column-stress-wrong", verdict.wrong.into()),
+                ("column-stress-ulps", Value::text(verdict.ulps)),
             ];
-            Fact::named(total.arithmetic.name(), values)
+            Fact::named(format!("#{:02}", index + 1), values)
         }));
     }
 }

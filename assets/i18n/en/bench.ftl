@@ -159,6 +159,7 @@ bench-y-line = time a line (ns)
 bench-y-divisions = divisions a line
 bench-y-divisions-pixel = divisions a pixel
 bench-y-frame = time of a frame (ms)
+bench-y-frame-log = time of a frame (ms), logarithmic
 bench-y-tests = tests a covered pixel, logarithmic
 bench-y-changed = changed pixels in a million, logarithmic
 bench-y-pixel = time a pixel (ns), logarithmic

@@ -52,7 +52,9 @@ impl Ruler {
             Scale::Names(names) => [0.0, names.len().max(1) as f64],
             Scale::Linear => {
                 let greatest = values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
-                [0.0, if greatest > 0.0 { greatest * 1.2 } else { 1.0 }]
+                // Above the greatest there is room for its label; beside it, a little.
+                let room = if end > begin { 1.05 } else { 1.2 };
+                [0.0, if greatest > 0.0 { greatest * room } else { 1.0 }]
             }
             Scale::Log => log_bounds(values),
         };
@@ -214,7 +216,9 @@ mod tests {
             ["1", "100", "10\u{2009}000", "1 × 10⁶", "1 × 10⁸"]
         );
         assert_eq!(texts(&ruler(Scale::Log, &[4.0, 40.0]), 40.0), ["2", "5", "10", "20", "50", "100"]);
-        assert_eq!(texts(&ruler(Scale::Linear, &[0.52]), 100.0), ["0", "0.2", "0.4", "0.6"]);
+        assert_eq!(texts(&ruler(Scale::Linear, &[1.0]), 120.0), ["0", "0.5", "1"]);
+        let up = Ruler::new(&Axis::new(String::new(), Scale::Linear), &[0.52], 600.0, 0.0);
+        assert_eq!(texts(&up, 100.0), ["0", "0.2", "0.4", "0.6"]);
         assert_eq!(texts(&ruler(Scale::Names(vec!["a".into(), "b".into()]), &[0.0]), 10.0), ["a", "b"]);
     }
 

@@ -168,7 +168,7 @@ pub static CLAIMS: [Claim; 11] = [
         ..claim("no-division-to-decide", [Sums, Sums], clipping::no_division_to_decide)
     },
     Claim {
-        axes: ["triangles", "frame"],
+        axes: ["triangles", "frame-log"],
         drawn: 3,
         ..claim("object-space-quadratic", [Factors, Factors], visibility::object_space_quadratic)
     },

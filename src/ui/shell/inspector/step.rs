@@ -78,12 +78,13 @@ fn formula(ui: &mut Ui, face: &Face<'_>, pieces: &[Piece], general: bool) {
     let look = face.look;
     let mut job = LayoutJob::default();
     job.wrap.max_width = ui.available_width();
+    let mut depth = 0;
     for piece in pieces {
         let mut format =
             TextFormat::simple(look.font(Text::Mono), if general { look.dim } else { look.text });
         format.line_height = Some(look.line_height(Text::Mono));
-        // A value stays on one row; between values and signs a row may end.
-        let mut text = piece.text.clone();
+        // A value stays on one row, and so does what stands in parentheses; else a row may end.
+        let mut text = together(&piece.text, &mut depth);
         if piece.strong {
             format.font_id = look.font(Text::MonoStrong);
             text = text.replace(' ', "\u{a0}");
@@ -100,4 +101,18 @@ fn formula(ui: &mut Ui, face: &Face<'_>, pieces: &[Piece], general: bool) {
         job.append(&text, 0.0, format);
     }
     ui.label(job);
+}
+
+/// A text whose spaces between parentheses end no row. `depth`: how many of these are open.
+fn together(text: &str, depth: &mut usize) -> String {
+    let kept = |letter: char| {
+        match letter {
+            '(' => *depth += 1,
+            ')' => *depth = depth.saturating_sub(1),
+            ' ' if *depth > 0 => return '\u{a0}',
+            _ => {}
+        }
+        letter
+    };
+    text.chars().map(kept).collect()
 }

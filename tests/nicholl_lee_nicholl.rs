@@ -5,8 +5,10 @@ use crate::support::{
     rounding_fails,
 };
 use rasterscope_core::{
-    clip::line::{Segment, nicholl_lee_nicholl::Event},
+    clip::line::{Outcode, Segment, nicholl_lee_nicholl::Event},
     math::Arithmetic,
+    message::Value,
+    replay::{Budget, Playback},
 };
 
 #[track_caller]
@@ -62,6 +64,27 @@ fn only_the_answer_is_computed() {
             !(window.xmin..=window.xmax).contains(x) || !(window.ymin..=window.ymax).contains(y)
         });
         assert_eq!(cuts, if answer.is_some() { outside.count() } else { 0 }, "{segment:?} in {window:?}");
+    }
+}
+
+/// In a row of the table, the code is that of the shown point.
+#[test]
+fn a_row_shows_a_point_and_its_own_code() {
+    let mut random = Random::new(17);
+    for _ in 0..300 {
+        let (segment, window) = any_line(&mut random);
+        let sides = [window.xmin, window.ymin, window.xmax, window.ymax];
+        let mut player = NichollLeeNicholl::play(segment, window, Arithmetic::Exact, Budget::default());
+        player.seek(player.len());
+        for row in &player.tables()[0].rows {
+            let [Value::F32(x), Value::F32(y), code, _] = &row.cells[..] else { panic!("{row:?}") };
+            if let Value::Bits { bits, .. } = *code {
+                let own = u32::from(Outcode::of([*x, *y], sides).0);
+                // Of P2, only what was compared is known; of P1, all.
+                let known = if row.name == "P1" { 0b1111 } else { bits };
+                assert_eq!(bits, own & known, "{} of {segment:?} in {window:?}", row.name);
+            }
+        }
     }
 }
 

@@ -207,8 +207,8 @@ impl Explain for Snapshot {
     }
 
     fn tables(&self, out: &mut Vec<Table>) {
-        let rows = End::ALL.into_iter().map(|end| {
-            let [x, y] = self.subject.ends[end as usize];
+        let given = End::ALL.into_iter().map(|end| {
+            let [x, y] = self.subject.original[end as usize];
             let code = match end {
                 End::P1 => self.place.map_or(Value::None, bits),
                 End::P2 => self.known_bits(),
@@ -216,10 +216,15 @@ impl Explain for Snapshot {
             let cut = self.cuts[end as usize].map_or(Value::None, |border| Value::Word(border.word()));
             Row::new(end.name(), vec![x.into(), y.into(), code, cut])
         });
+        // Codes and borders are those of the given ends: a cut computes no code.
+        let moved = End::ALL.into_iter().filter(|end| self.subject.has_moved(*end)).map(|end| {
+            let [x, y] = self.subject.ends[end as usize];
+            Row::new(self.subject.name(end), vec![x.into(), y.into(), Value::BLANK, Value::BLANK])
+        });
         out.push(Table {
             title: "nicholl-lee-nicholl-ends",
             columns: vec!["x", "y", "T B R L", "E, F"],
-            rows: rows.collect(),
+            rows: given.chain(moved).collect(),
         });
         let Operations { comparisons, multiplications, divisions } = self.work;
         let count = |n: u64| Value::Int(i64::try_from(n).unwrap_or(i64::MAX));

@@ -1,7 +1,8 @@
 //! Cohen-Sutherland: laws, golden logs, and an exact oracle that knows no outcodes.
 
 use crate::support::{
-    CohenSutherland, Random, check_log, costs_what_it_says, keeps_the_laws, line, rounding_fails, window,
+    Clipper, CohenSutherland, Random, check_log, costs_what_it_says, keeps_the_laws, line, rounding_fails,
+    window,
 };
 use rasterscope_core::{
     clip::line::{
@@ -9,6 +10,8 @@ use rasterscope_core::{
         cohen_sutherland::{self as cs, Settings},
     },
     math::{Arithmetic, Tally, ulps_between},
+    message::Value,
+    replay::{Budget, Playback},
     trace::NoTrace,
 };
 
@@ -68,6 +71,25 @@ fn failures_of_others_are_right_here() {
         let [p1, p2] = segment;
         let reversed = expected.map(|[a, b]| [b, a]);
         assert_eq!(cs::clip([p2, p1], &unit), reversed, "{segment:?} reversed");
+    }
+}
+
+/// OR and AND of the table are those of the codes above them, or not yet known.
+#[test]
+fn or_and_and_belong_to_the_shown_codes() {
+    let mut random = Random::new(7);
+    for _ in 0..300 {
+        let (segment, window) = line(&mut random);
+        let mut player = CohenSutherland::play(segment, window, Arithmetic::Exact, Budget::default());
+        for step in 0..=player.len() {
+            player.seek(step);
+            let codes: Vec<_> = player.tables()[0].rows.iter().map(|row| row.cells[2].clone()).collect();
+            let bits = |code: &Value| if let Value::Bits { bits, .. } = code { Some(*bits) } else { None };
+            let [c1, c2, or, and] = [0, 1, 2, 3].map(|row| bits(&codes[row]));
+            let both = c1.zip(c2);
+            assert!(or.is_none() || or == both.map(|(c1, c2)| c1 | c2), "step {step} of {segment:?}");
+            assert!(and.is_none() || and == both.map(|(c1, c2)| c1 & c2), "step {step} of {segment:?}");
+        }
     }
 }
 

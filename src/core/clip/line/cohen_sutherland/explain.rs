@@ -89,6 +89,8 @@ impl State for Snapshot {
                     *free = Some(Removed { end, border, from });
                 }
                 self.codes[end as usize] = Some(code);
+                // They were of the old codes.
+                (self.or, self.and) = (None, None);
             }
         }
     }

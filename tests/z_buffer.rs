@@ -77,6 +77,34 @@ fn pass_step_says_before_arrives_and_after() {
     assert_eq!(codes, [38689, 33961, 33961].map(Value::text));
 }
 
+/// Until the test, what the pixel will hold is not known: the row of the fragment is the lit one.
+#[test]
+fn an_arriving_fragment_has_no_after() {
+    let settings = Settings { format: DepthFormat::Unorm16, ..Settings::new([8, 7]) };
+    let mut player = z_buffer::play(vec![A, B], Vec::new(), settings, Budget::default());
+    let (mut arrived, mut decided) = (0, 0);
+    for step in 1..=player.len() {
+        player.seek(step);
+        let tables = player.tables();
+        let lit: Vec<_> = tables[0].rows.iter().filter(|row| row.active).map(|row| &*row.name).collect();
+        let after = || tables.iter().flat_map(|table| &table.rows).filter(|row| row.name == "row-after");
+        match player.event() {
+            Some(Event::Fragment { .. }) => {
+                arrived += 1;
+                assert_eq!(lit, ["row-arrives"]);
+                assert!(after().all(|row| row.cells.iter().all(|cell| *cell == Value::None)));
+            }
+            Some(Event::Pass | Event::Fail) => {
+                decided += 1;
+                assert_eq!(lit, ["row-after"]);
+                assert!(after().all(|row| row.cells.last() != Some(&Value::None)));
+            }
+            _ => {}
+        }
+    }
+    assert!(arrived > 0 && arrived == decided);
+}
+
 /// The least exact depth of all triangles that cover a pixel, rounded to the format.
 #[test]
 fn nearest_triangle_wins_whatever_the_order() {

@@ -143,11 +143,10 @@ impl Explain for Snapshot {
         out.push(self.test_table());
         if let (Some(_), Some(fragment)) = (self.settings.format.max_code(), self.fragment) {
             let width = self.settings.format.bits();
-            let bits = |code| vec![Value::Bits { bits: code, width }];
-            let rows = vec![
-                Row::new("row-before", bits(fragment.stored)),
-                Row::new("row-after", bits(self.image.depth.code([fragment.x, self.y]))),
-            ];
+            let bits = |code: Option<u32>| vec![code.map_or(Value::None, |bits| Value::Bits { bits, width })];
+            let after = fragment.is_decided().then(|| self.image.depth.code([fragment.x, self.y]));
+            let rows =
+                vec![Row::new("row-before", bits(Some(fragment.stored))), Row::new("row-after", bits(after))];
             out.push(Table { title: "z-buffer-bits", columns: vec!["column-bits"], rows });
         }
         out.extend(self.bias_table());
@@ -281,9 +280,10 @@ impl Snapshot {
         } else {
             vec!["column-object", "column-depth", "column-hex"]
         };
+        let unknown = |name: &str| Row::new(name, vec![Value::None; columns.len()]);
         let Some(fragment) = self.fragment else {
-            let rows = ROWS.map(|name| Row::new(name, vec![Value::None; columns.len()]));
-            return Table { title: "z-buffer-test", columns, rows: rows.to_vec() };
+            let rows = ROWS.map(unknown).to_vec();
+            return Table { title: "z-buffer-test", columns, rows };
         };
         let pixel = [fragment.x, self.y];
         let row = |name: &str, owner: Option<u32>, code: u32| {
@@ -300,10 +300,16 @@ impl Snapshot {
             Some(false) => Role::Rejected,
         };
         let [before, arrives, after] = ROWS;
+        let decided = fragment.is_decided();
+        let after = if decided {
+            row(after, self.image.owner(pixel), self.image.depth.code(pixel)).active(true)
+        } else {
+            unknown(after)
+        };
         let rows = vec![
             row(before, fragment.owner, fragment.stored),
-            row(arrives, self.triangle, fragment.code).role(verdict),
-            row(after, self.image.owner(pixel), self.image.depth.code(pixel)).active(true),
+            row(arrives, self.triangle, fragment.code).role(verdict).active(!decided),
+            after,
         ];
         Table { title: "z-buffer-test", columns, rows }
     }

@@ -22,6 +22,13 @@ pub(super) struct Fragment {
     pub(super) alpha: Option<(f32, bool)>,
 }
 
+impl Fragment {
+    /// Whether it is decided what its pixel holds from now on.
+    pub(super) fn is_decided(&self) -> bool {
+        self.passed.is_some() || self.alpha.is_some_and(|(_, kept)| !kept)
+    }
+}
+
 /// What the user sees between two events: the fold of the events so far.
 #[derive(Debug, PartialEq)]
 pub struct Snapshot {

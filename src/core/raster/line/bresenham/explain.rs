@@ -111,7 +111,7 @@ impl Explain for Snapshot {
         "major ← max(dx, dy), minor ← min(dx, dy), d ← 2 · minor − major",
         "repeat until all steps are made",
         "  draw (x, y)",
-        "  if d > 0: one step aside, d ← d − 2 · major + 2 · minor",
+        "  if d > 0, or d = 0 and aside is right or down: one step aside, d ← d − 2 · major + 2 · minor",
         "  else: straight on, d ← d + 2 · minor",
     ];
 

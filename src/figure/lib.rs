@@ -9,6 +9,7 @@
 pub mod numbers;
 pub mod words;
 
+mod precision;
 pub mod tables;
 
 pub mod theme;

@@ -21,7 +21,21 @@ pub const CELL_DECIMALS: usize = 3;
 ///
 /// A [`Value::Word`] gives its id; [`Words::value`](crate::words::Words::value) gives the word.
 pub fn short(value: &Value) -> String {
-    written(value, None)
+    written(value, Decimals::UpTo(DECIMALS))
+}
+
+/// Like [`short`], but with at most `decimals` decimals.
+pub(crate) fn fine(value: &Value, decimals: usize) -> String {
+    written(value, Decimals::UpTo(decimals))
+}
+
+/// How many decimals a number gets.
+#[derive(Clone, Copy)]
+enum Decimals {
+    /// As few as possible.
+    UpTo(usize),
+    /// In a column.
+    All(usize),
 }
 
 /// The exact value: every decimal of the binary number and, for binary32, its bits.
@@ -32,7 +46,7 @@ pub fn exact(value: &Value) -> String {
         Value::F32(x) if x.is_finite() => {
             format!("{} ({})", every_digit(f64::from(*x)), hex(x.to_bits(), 8))
         }
-        Value::F32(x) => format!("{} ({})", real(f64::from(*x), None), hex(x.to_bits(), 8)),
+        Value::F32(x) => format!("{} ({})", short(value), hex(x.to_bits(), 8)),
         Value::F64(x) if x.is_finite() => every_digit(*x),
         Value::Vector(components) => {
             let lines: Vec<_> = components.iter().map(|&x| exact(&Value::F32(x))).collect();
@@ -46,7 +60,7 @@ pub fn exact(value: &Value) -> String {
 /// beyond that and below 1e-4.
 pub fn measured(x: f64) -> String {
     if !x.is_finite() || x == 0.0 {
-        return real(x, None);
+        return real(x, Decimals::UpTo(DECIMALS));
     }
     let (mantissa, exponent) = scientific_parts(x, 1);
     if !(-4..6).contains(&exponent) {
@@ -78,7 +92,7 @@ impl ColumnFormat {
 
     /// `value` with this column's count of decimals.
     pub fn format(self, value: &Value) -> String {
-        written(value, Some(self.decimals))
+        written(value, Decimals::All(self.decimals))
     }
 }
 
@@ -119,7 +133,7 @@ pub fn superscript(n: i32) -> String {
     n.to_string().chars().map(raise).collect()
 }
 
-fn written(value: &Value, decimals: Option<usize>) -> String {
+fn written(value: &Value, decimals: Decimals) -> String {
     match value {
         Value::None => UNDEFINED.to_owned(),
         Value::Int(n) => integer(*n),
@@ -136,22 +150,23 @@ fn written(value: &Value, decimals: Option<usize>) -> String {
     }
 }
 
-/// `decimals`: of a column; none: as few as possible, at most [`DECIMALS`].
-fn real(x: f64, decimals: Option<usize>) -> String {
+fn real(x: f64, decimals: Decimals) -> String {
     if x.is_nan() {
         return "NaN".to_owned();
     }
     if x.is_infinite() {
         return if x > 0.0 { "∞".to_owned() } else { format!("{MINUS}∞") };
     }
-    if needs_power(x) && decimals.is_none_or(|limit| limit >= DECIMALS || x.abs() >= 1.0) {
-        let (mantissa, exponent) = scientific_parts(x, DECIMALS);
+    let (Decimals::UpTo(limit) | Decimals::All(limit)) = decimals;
+    if needs_power(x) && (limit >= DECIMALS || x.abs() >= 1.0) {
+        let (_, exponent) = scientific_parts(x, DECIMALS);
+        // Where more decimals are asked for, down to the same place.
+        let fine = if limit > DECIMALS { limit as i32 + exponent } else { 0 };
+        let (mantissa, exponent) = scientific_parts(x, (fine.max(0) as usize).clamp(DECIMALS, 15));
         return power(&mantissa, exponent);
     }
-    match decimals {
-        Some(decimals) => pretty(&format!("{x:.decimals$}")),
-        None => pretty(trimmed(&format!("{x:.DECIMALS$}"))),
-    }
+    let digits = format!("{x:.limit$}");
+    pretty(if matches!(decimals, Decimals::UpTo(_)) { trimmed(&digits) } else { &digits })
 }
 
 fn needs_power(x: f64) -> bool {

@@ -7,6 +7,7 @@ use rasterscope_core::{
 
 use crate::{
     numbers::{self, ColumnFormat},
+    precision,
     words::Words,
 };
 
@@ -160,20 +161,23 @@ fn same(a: &Value, b: &Value) -> bool {
 }
 
 /// The formula in its names, and with this step's numbers: `=` under `=`, a negative number behind
-/// another sign in parentheses.
+/// another sign in parentheses. Numbers have the decimals that the result needs.
 pub fn formula(formula: &Formula, words: &Words) -> [Vec<Run>; 2] {
     let plain = |text: String| Run { text, strong: false, highlighted: false };
+    let compared = precision::compared(formula);
+    let of_result = compared.unwrap_or(numbers::DECIMALS);
+    let of_operand = compared.unwrap_or_else(|| precision::operands(formula));
     let mut numbers: Vec<Run> = Vec::with_capacity(formula.numbers.len());
     for piece in &formula.numbers {
-        let (value, highlighted) = match piece {
+        let (value, decimals, highlighted) = match piece {
             Piece::Text(text) => {
                 numbers.push(plain((*text).to_owned()));
                 continue;
             }
-            Piece::Number(value) => (value, false),
-            Piece::Result(value) => (value, true),
+            Piece::Number(value) => (value, of_operand, false),
+            Piece::Result(value) => (value, of_result, true),
         };
-        let text = words.value(value);
+        let text = words.fine(value, decimals);
         let behind_sign =
             numbers.last().is_some_and(|run| run.text.trim_end().ends_with(['+', numbers::MINUS, '·', '/']));
         if behind_sign && text.starts_with(numbers::MINUS) {

@@ -198,9 +198,14 @@ impl Words {
 
     /// `value` in its shortest form; a [`Value::Word`] in words.
     pub fn value(&self, value: &Value) -> String {
+        self.fine(value, numbers::DECIMALS)
+    }
+
+    /// Like [`Words::value`], with at most `decimals` decimals.
+    pub(crate) fn fine(&self, value: &Value, decimals: usize) -> String {
         match value {
             Value::Word(id) => self.word(id),
-            other => numbers::short(other),
+            other => numbers::fine(other, decimals),
         }
     }
 

@@ -5,6 +5,7 @@ use num_bigint::BigInt;
 use num_traits::FromPrimitive;
 use rasterscope_core::{
     math::{Arithmetic, ulps_between},
+    replay::{Budget, Playback},
     shade::{
         Light, Material, Model, NormalMatrix, Place, brightness,
         lighting::{self, Event, Snapshot, Subject, Surface},
@@ -313,4 +314,23 @@ fn keeps_the_laws() {
         }
     }
     coverage.check_every_line::<Snapshot>();
+}
+
+/// Of the terms, only one that the step computes is lit.
+#[test]
+fn a_term_is_lit_in_its_own_step() {
+    let mut player = lighting::play(subject(), Budget::default());
+    for step in 0..=player.len() {
+        player.seek(step);
+        let tables = player.tables();
+        let lit: Vec<_> = tables[0].rows.iter().filter(|row| row.active).map(|row| &*row.name).collect();
+        let expected: &[&str] = match player.event() {
+            Some(Event::Ambient { .. }) => &["row-shade-ambient"],
+            Some(Event::Diffuse { .. }) => &["row-shade-diffuse"],
+            Some(Event::Specular { .. }) => &["row-shade-specular"],
+            Some(Event::Sum { .. }) => &["I"],
+            _ => &[],
+        };
+        assert_eq!(lit, expected, "step {step}");
+    }
 }

@@ -81,16 +81,20 @@ impl Explain for Snapshot {
     }
 
     fn marker(event: &Event) -> Option<Marker> {
+        // A part has its name where it begins, so that it is the current one until the next begins.
         let (role, label) = match event {
-            Event::Unit { vector: Vector::Normal, .. } => (Role::Neutral, "shade-marker-vectors"),
-            Event::Ambient { .. } => (Role::Neutral, "shade-marker-ambient"),
-            Event::Behind => (Role::Rejected, "shade-marker-behind"),
-            Event::Diffuse { .. } => (Role::Neutral, "shade-marker-diffuse"),
-            Event::Specular { .. } => (Role::Neutral, "shade-marker-specular"),
-            Event::Sum { .. } => (Role::Accepted, "shade-marker-sum"),
+            Event::Unit { vector: Vector::Normal, .. } => (Role::Neutral, Some("shade-marker-vectors")),
+            Event::Ambient { .. } => (Role::Neutral, Some("shade-marker-ambient")),
+            Event::Unit { vector: Vector::Light, .. } | Event::NoDirection { vector: Vector::Light } => {
+                (Role::Neutral, Some("shade-marker-diffuse"))
+            }
+            Event::Behind => (Role::Rejected, Some("shade-marker-behind")),
+            Event::Mirrored { .. } | Event::Halfway { .. } => (Role::Neutral, Some("shade-marker-specular")),
+            Event::Diffuse { .. } | Event::Specular { .. } => (Role::Changed, None),
+            Event::Sum { .. } => (Role::Accepted, Some("shade-marker-sum")),
             _ => return None,
         };
-        Some(Marker { role, label: Some(label) })
+        Some(Marker { role, label })
     }
 
     fn opening(&self) -> Message {
@@ -213,14 +217,13 @@ impl Snapshot {
 
     /// The terms and their sum: what the lab is about.
     pub(in crate::shade) fn terms_table(&self) -> Table {
-        let last = self.terms.iter().rposition(Option::is_some);
         let material = &self.subject.material;
         let shares = [material.ambient, material.diffuse, material.specular];
         let names = ["row-shade-ambient", "row-shade-diffuse", "row-shade-specular"];
         let mut rows: Vec<Row> = (0..3)
             .map(|i| {
-                let now = self.result.is_none() && last == Some(i);
-                Row::new(names[i], vec![shares[i].into(), self.terms[i].into()]).active(now)
+                let cells = vec![shares[i].into(), self.terms[i].into()];
+                Row::new(names[i], cells).active(self.computed == Some(i))
             })
             .collect();
         let sum = vec![Value::BLANK, self.result.map_or(Value::None, Value::from)];

@@ -29,6 +29,8 @@ pub struct Snapshot {
     pub(super) power: Option<f64>,
     /// Ambient, diffuse and specular, of all lights so far.
     pub(super) terms: [Option<f64>; 3],
+    /// The term that the last event computed, if it did.
+    pub(super) computed: Option<usize>,
     pub(super) result: Option<f32>,
 }
 
@@ -66,6 +68,7 @@ impl Snapshot {
             highlight: None,
             power: None,
             terms: [None; 3],
+            computed: None,
             result: None,
         }
     }
@@ -88,6 +91,7 @@ impl Snapshot {
 
     fn add(&mut self, term: usize, value: f64) {
         self.terms[term] = Some(self.terms[term].unwrap_or(0.0) + value);
+        self.computed = Some(term);
     }
 
     /// A vector is known; what the last light gave goes when the next one begins.
@@ -105,6 +109,7 @@ impl State for Snapshot {
     type Event = Event;
 
     fn apply(&mut self, event: &Event) {
+        self.computed = None;
         match *event {
             Event::Turned { normal } => self.turned = Some(normal),
             Event::Unit { vector, unit } => self.know(vector, unit),
@@ -119,6 +124,7 @@ impl State for Snapshot {
             Event::Behind => {
                 self.add(1, 0.0);
                 self.add(2, 0.0);
+                self.computed = None;
             }
             Event::Diffuse { value } => self.add(1, value),
             Event::Mirrored { r: bisector } | Event::Halfway { h: bisector } => {

@@ -31,6 +31,7 @@ cyrus-beck-edges = Edges
 cyrus-beck-part = Visible part
 cyrus-beck-marker-enter = enter
 cyrus-beck-marker-leave = leave
+cyrus-beck-marker-parallel = parallel
 cyrus-beck-marker-cut = cut
 column-cyrus-beck-course = there
 column-cyrus-beck-from = from

@@ -29,6 +29,7 @@ liang-barsky-order = In order along the line
 liang-barsky-part = Visible part
 liang-barsky-marker-enter = enter
 liang-barsky-marker-leave = leave
+liang-barsky-marker-parallel = parallel
 liang-barsky-marker-divide = divide
 column-liang-barsky-course = there
 column-liang-barsky-from = from

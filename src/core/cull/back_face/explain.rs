@@ -182,14 +182,18 @@ impl Explain for Snapshot {
 
     fn marker(event: &Event) -> Option<Marker> {
         match *event {
-            Event::Answer { test, facing } => {
+            // Where a test begins: the product in NDC has no terms, a test without a value neither.
+            Event::Terms { test } | Event::Value { test: test @ Test::Ndc, .. } | Event::NoValue { test } => {
+                Some(Marker { role: Role::Neutral, label: Some(short(test)) })
+            }
+            Event::Answer { facing, .. } => {
                 let role = match facing {
                     Some(Facing::Front) => Role::Accepted,
                     Some(Facing::Back) => Role::Rejected,
                     Some(Facing::Degenerate) => Role::Tie,
                     None => Role::Skipped,
                 };
-                Some(Marker { role, label: Some(short(test)) })
+                Some(Marker { role, label: None })
             }
             Event::Compare { why, .. } if why != Why::Same => {
                 Some(Marker { role: Role::Changed, label: None })

@@ -148,14 +148,21 @@ impl Explain for Snapshot {
 
     fn marker(event: &Event) -> Option<Marker> {
         let (role, label) = match event {
-            Event::Enter { later: true, .. } => (Role::Neutral, "cyrus-beck-marker-enter"),
-            Event::Leave { earlier: true, .. } => (Role::Neutral, "cyrus-beck-marker-leave"),
-            Event::Cut { .. } => (Role::Changed, "cyrus-beck-marker-cut"),
-            Event::Accept => (Role::Accepted, "word-accept"),
-            Event::Reject => (Role::Rejected, "word-reject"),
+            Event::Measure { course, .. } => (
+                Role::Neutral,
+                Some(match course {
+                    Course::Enters => "cyrus-beck-marker-enter",
+                    Course::Leaves => "cyrus-beck-marker-leave",
+                    Course::Parallel => "cyrus-beck-marker-parallel",
+                }),
+            ),
+            Event::Enter { later: true, .. } | Event::Leave { earlier: true, .. } => (Role::Changed, None),
+            Event::Cut { .. } => (Role::Changed, Some("cyrus-beck-marker-cut")),
+            Event::Accept => (Role::Accepted, Some("word-accept")),
+            Event::Reject => (Role::Rejected, Some("word-reject")),
             _ => return None,
         };
-        Some(Marker { role, label: Some(label) })
+        Some(Marker { role, label })
     }
 
     fn opening(&self) -> Message {

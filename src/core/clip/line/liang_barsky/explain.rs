@@ -171,14 +171,21 @@ impl Explain for Snapshot {
 
     fn marker(event: &Event) -> Option<Marker> {
         let (role, label) = match event {
-            Event::Enter { later: true, .. } => (Role::Neutral, "liang-barsky-marker-enter"),
-            Event::Leave { earlier: true, .. } => (Role::Neutral, "liang-barsky-marker-leave"),
-            Event::Divide { .. } => (Role::Changed, "liang-barsky-marker-divide"),
-            Event::Accept => (Role::Accepted, "word-accept"),
-            Event::Reject => (Role::Rejected, "word-reject"),
+            Event::Measure { course, .. } => (
+                Role::Neutral,
+                Some(match course {
+                    Course::Enters => "liang-barsky-marker-enter",
+                    Course::Leaves => "liang-barsky-marker-leave",
+                    Course::Parallel => "liang-barsky-marker-parallel",
+                }),
+            ),
+            Event::Enter { later: true, .. } | Event::Leave { earlier: true, .. } => (Role::Changed, None),
+            Event::Divide { .. } => (Role::Changed, Some("liang-barsky-marker-divide")),
+            Event::Accept => (Role::Accepted, Some("word-accept")),
+            Event::Reject => (Role::Rejected, Some("word-reject")),
             _ => return None,
         };
-        Some(Marker { role, label: Some(label) })
+        Some(Marker { role, label })
     }
 
     fn opening(&self) -> Message {

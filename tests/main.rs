@@ -18,6 +18,7 @@ mod compute;
 mod compute_lines;
 mod compute_raster;
 mod coverage;
+mod current_step;
 mod cyrus_beck;
 mod depth_bias;
 mod depth_precision;

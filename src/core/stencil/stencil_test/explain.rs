@@ -277,7 +277,8 @@ impl Snapshot {
     /// The numbers of the test, bit by bit.
     fn value_table(&self) -> Table {
         let state = self.state().unwrap_or_default();
-        let pixel = self.fragment.map(|fragment| [fragment.x, self.y]);
+        let decided = self.fragment.filter(|fragment| fragment.outcome.is_some() || fragment.discarded);
+        let after = decided.map(|fragment| self.image.value([fragment.x, self.y]));
         let row = |name: &str, value: Option<u8>| {
             let number = Value::from(value.map(u32::from));
             let bits = value.map(|bits| Value::Bits { bits: bits.into(), width: 8 });
@@ -287,8 +288,9 @@ impl Snapshot {
             row("reference", Some(state.reference)),
             row("readMask", Some(state.read_mask)),
             row("writeMask", Some(state.write_mask)),
-            row("row-before", self.fragment.map(|fragment| fragment.stored)),
-            row("row-after", pixel.map(|pixel| self.image.value(pixel))).active(pixel.is_some()),
+            row("row-before", self.fragment.map(|fragment| fragment.stored))
+                .active(self.fragment.is_some() && after.is_none()),
+            row("row-after", after).active(after.is_some()),
         ];
         Table { title: "stencil-values", columns: vec!["column-stencil", "column-bits"], rows }
     }

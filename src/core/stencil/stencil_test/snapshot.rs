@@ -14,6 +14,8 @@ pub(super) struct Fragment {
     pub(super) codes: [u32; 2],
     /// The verdict.
     pub(super) outcome: Option<StencilOutcome>,
+    /// Whether its alpha was too low.
+    pub(super) discarded: bool,
 }
 
 /// What the user sees between two events: the fold of the events so far.
@@ -126,7 +128,8 @@ impl State for Snapshot {
             Event::Scissor { y, .. } => (self.y, self.fragment) = (y.into(), None),
             Event::Row { y, .. } => (self.y, self.fragment) = (y, None),
             Event::Discard { .. } => {
-                if let Some(fragment) = self.fragment {
+                if let Some(fragment) = &mut self.fragment {
+                    fragment.discarded = true;
                     self.verdicts.push(([fragment.x as u16, self.y as u16], Role::Skipped));
                 }
             }
@@ -134,7 +137,8 @@ impl State for Snapshot {
                 let x = u32::from(x);
                 let arrived = &mut self.arrived[self.image.depth.index([x, self.y])];
                 *arrived = arrived.saturating_add(1);
-                self.fragment = Some(Fragment { x, stored, codes: [code, depth], outcome: None });
+                let codes = [code, depth];
+                self.fragment = Some(Fragment { x, stored, codes, outcome: None, discarded: false });
             }
             Event::Fail { after } => self.verdict(StencilOutcome::Fail, after),
             Event::DepthFail { after } => self.verdict(StencilOutcome::DepthFail, after),

@@ -15,7 +15,9 @@ use rasterscope_core::{
             weiler_atherton::{self as wa, Event, Piece, Ring, Snapshot, Source, Why},
         },
     },
+    explain::Role,
     math::Tally,
+    replay::{Budget, Playback},
 };
 
 /// One to three contours, which may cross themselves and each other.
@@ -230,4 +232,20 @@ fn compute_answers_with_pieces_and_holes() {
             r#"{"polygons":[]}"#,
         ),
     ]);
+}
+
+/// The ribbon counts pieces by the marks of the timeline: a ring each, but for holes.
+#[test]
+fn marks_tell_how_many_pieces_there_are() {
+    let mut random = Random::new(29);
+    let mut most = 0;
+    for _ in 0..500 {
+        let (contours, window) = contours(&mut random);
+        let markers = wa::play(&contours, window, Budget::default()).markers();
+        let count = |role| markers.iter().filter(|(_, marker)| marker.role == role).count();
+        let pieces = wa::clip(&contours, &window).len();
+        assert_eq!(count(Role::Accepted) - count(Role::Changed), pieces, "{contours:?} in {window:?}");
+        most = most.max(pieces);
+    }
+    assert!(most > 2);
 }

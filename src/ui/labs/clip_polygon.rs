@@ -1,6 +1,6 @@
 //! What the labs that clip a polygon share: all but the algorithm.
 
-use super::{Handle, Lab, Outcome, corners, window};
+use super::{Handle, Lab, Outcome, corners, count, window};
 use crate::{
     document::{Document, ViewState},
     face::Face,
@@ -57,15 +57,19 @@ impl Lab for ClipPolygon {
 
     fn outcome(&self, document: &Document, markers: &[(usize, Marker)]) -> Option<Outcome> {
         let LabInput::ClipPolygon(input) = document.input() else { return None };
-        let named = markers.iter().filter(|(_, marker)| marker.label.is_some());
-        let empty = named.filter(|(_, marker)| marker.role == Role::Rejected).count();
         let polygons = 1 + input.contours.len();
-        Some(Outcome {
-            came: Some(polygons),
-            went: polygons - empty.min(polygons),
-            unit: None,
-            given: (polygons, "ui-unit-polygon"),
-        })
+        let went = match self.0 {
+            // Each ring is a piece, but for those that became holes of others.
+            Algorithm::WeilerAtherton => {
+                count(markers, Role::Accepted).saturating_sub(count(markers, Role::Changed))
+            }
+            Algorithm::SutherlandHodgman => {
+                let named = markers.iter().filter(|(_, marker)| marker.label.is_some());
+                let empty = named.filter(|(_, marker)| marker.role == Role::Rejected).count();
+                polygons - empty.min(polygons)
+            }
+        };
+        Some(Outcome { came: Some(polygons), went, unit: None, given: (polygons, "ui-unit-polygon") })
     }
 
     fn drag(&self, document: &mut Document, handle: usize, to: [f32; 2]) {

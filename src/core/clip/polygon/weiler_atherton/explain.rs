@@ -83,6 +83,8 @@ impl Explain for Snapshot {
             }
             Event::RingDone { corners: 0 } => (Role::Rejected, None),
             Event::RingDone { .. } => (Role::Accepted, None),
+            // No piece of its own.
+            Event::Hole { .. } => (Role::Changed, None),
             Event::Done { pieces: 0 } => (Role::Rejected, Some("weiler-atherton-marker-empty")),
             Event::Done { .. } => (Role::Neutral, Some("weiler-atherton-marker-done")),
             _ => return None,

@@ -13,7 +13,7 @@ pipeline-reason-carried = of culled triangles
 pipeline-reason-scissor = outside the scissor
 pipeline-reason-discarded = discarded
 pipeline-reason-stencil = masked
-pipeline-reason-depth = behind
+pipeline-reason-depth = failed
 pipeline-reason-redrawn = redrawn
 
 pipeline-unit-triangles = tri

@@ -22,6 +22,7 @@ use egui::{Align2, CentralPanel, Color32, Margin, Panel, Rect, Ui, UiBuilder, ve
 use rasterscope_core::{
     compare::{self, Side},
     labs as core_labs,
+    message::Message,
 };
 use rasterscope_figure::numbers;
 use std::{cell::RefCell, rc::Rc};
@@ -217,21 +218,24 @@ impl App {
         let came = self.overview.counted().map(|(stats, _)| stats.stage(stage).came);
         let other = outcome.came.zip(came).is_some_and(|(lab, scene)| lab as u64 != scene);
         let fragments = core_labs::Stage::ScanConversion..;
-        let count = match outcome_of(Side::B) {
+        let beside = outcome_of(Side::B);
+        let count = match &beside {
             Some(beside) => format!("{} | {}", outcome.went, beside.went),
             None => outcome.count(),
         };
+        let went = beside.map_or(outcome.went, |beside| outcome.went.max(beside.went));
+        let unit = |id, count: usize| self.words.message(&Message::new(id).with("count", count));
         let mut chips = of_scene.to_vec();
         for chip in &mut chips {
             if chip.stage == stage {
                 chip.count = Some(count.clone());
-                chip.unit = outcome.unit.map_or_else(String::new, |unit| self.words.word(unit));
+                chip.unit = outcome.unit.map_or_else(String::new, |id| unit(id, went));
                 chip.skipped.clear();
             } else if empty {
                 // The lab has an input of its own: nothing comes to any other stage.
                 let given = (chip.stage == core_labs::Stage::Scene).then_some(outcome.given);
                 chip.count = given.map(|(count, _)| count.to_string());
-                chip.unit = given.map_or_else(String::new, |(_, unit)| self.words.word(unit));
+                chip.unit = given.map_or_else(String::new, |(count, id)| unit(id, count));
             } else if other && fragments.contains(&stage) && fragments.contains(&chip.stage) {
                 chip.count = chip.count.is_some().then(|| numbers::UNDEFINED.to_owned());
                 (chip.unit, chip.skipped) = Default::default();

@@ -25,4 +25,7 @@ row-color = colour
 column-red = r
 column-green = g
 column-blue = b
-blend-unit-layers = layers
+blend-unit-layers = { $count ->
+    [one] layer
+   *[other] layers
+}

@@ -2,13 +2,19 @@
 
 bvh = Tree of boxes (BVH)
 bvh-about = A bounding volume hierarchy: one test can reject or accept many objects at once.
-bvh-opening = { $count } boxes become a tree, split by { $split }. Then the frustum is tested from the root down.
+bvh-opening = { $count ->
+    [one] One box becomes
+   *[other] { $count } boxes become
+} a tree, split by { $split }. Then the frustum is tested from the root down.
 bvh-split = **{ $node }** holds { $count } boxes. It is split across **{ $axis }**: { $left } to one side, { $right } to the other.
 bvh-leaf = **{ $node }** is a leaf: it holds { $count ->
     [one] one box
    *[other] { $count } boxes
 }.
-bvh-visit-root = The traversal begins at the root **{ $node }**, with all six planes and all { $count } boxes.
+bvh-visit-root = The traversal begins at the root **{ $node }**, with all six planes and { $count ->
+    [one] its only box
+   *[other] all { $count } boxes
+}.
 bvh-visit = **{ $node }** is next, with { $count ->
     [one] one box
    *[other] { $count } boxes
@@ -39,7 +45,13 @@ bvh-item-inside = { $item } lies wholly **inside** the **{ $plane }** plane.
 bvh-item-crosses = { $item } **crosses** the **{ $plane }** plane.
 bvh-item-rejected = **{ $item }** is **rejected** by the { $plane } plane.
 bvh-item-kept = **{ $item }** is **kept**: no plane has all of it outside.
-bvh-done = { $kept } of { $count } boxes are kept, after **{ $tests }** plane tests. Box by box it would have been { $without }.
+bvh-done = { $kept } of { $count ->
+    [one] one box is
+   *[other] { $count } boxes are
+} kept, after **{ $tests }** plane { $tests ->
+    [one] test
+   *[other] tests
+}. Box by box it would have been { $without }.
 
 bvh-split-median = median
 bvh-split-surface-area = surface

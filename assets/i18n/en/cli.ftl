@@ -29,7 +29,10 @@ error-not-a-text = { $field } must be a text in quotes.
 error-not-a-number = { $field } must be a number.
 error-not-a-list = { $field } must be a list in brackets.
 error-not-skips = { $field } must be "all", "none" or a list of names in brackets.
-error-list-length = { $field } must hold { $wanted } values, not { $count }.
+error-list-length = { $field } must hold { $wanted ->
+    [one] one value
+   *[other] { $wanted } values
+}, not { $count }.
 error-too-large = { $field } rounds to an infinite binary32 number: at most about 3.4 × 10³⁸ is allowed.
 error-too-far = { $field } must lie within { $most } pixels of the origin: clip the line first.
 error-bad-samples = { $field } must be 1, 2, 4 or 8.
@@ -58,6 +61,9 @@ error-figure-overlay = Only the image at the end of the lab pipeline has overlay
 error-figure-size = The size must be WIDTHxHEIGHT, each from 16 to 8192.
 
 cli-labs = Labs (trace ALGORITHM FILE, figure LAB FILE)
-cli-step-past-the-end = The run has { $steps } steps, fewer than { $asked }: the picture shows its end.
+cli-step-past-the-end = The run has { $steps ->
+    [one] one step
+   *[other] { $steps } steps
+}, fewer than { $asked }: the picture shows its end.
 cli-frames = Frame { $number } of { $all }
 cli-presets = Presets (as FILE)

@@ -2,7 +2,10 @@
 
 frustum-culling = Frustum culling
 frustum-culling-about = One body stands for each object: six plane tests can spare all of its triangles.
-frustum-culling-opening = { $count } objects, a { $body } around each. What lies outside one plane cannot be seen.
+frustum-culling-opening = { $count ->
+    [one] One object, a { $body } around it
+   *[other] { $count } objects, a { $body } around each
+}. What lies outside one plane cannot be seen.
 frustum-culling-object = **{ $object }** has { $count ->
     [one] one triangle
    *[other] { $count } triangles
@@ -24,7 +27,16 @@ frustum-culling-cross = **{ $object }** crosses a plane. Now { $count ->
 } tested.
 frustum-culling-triangle-outside = Triangle { $triangle } of { $object }: all three vertices lie outside the **{ $plane }** plane. It is **dropped**.
 frustum-culling-triangle-kept = Triangle { $triangle } of { $object }: no plane has all three vertices outside. It is **kept**; the clipper may cut it.
-frustum-culling-done = { $outside } outside, { $inside } inside, { $crossing } crossing. { $tests } plane tests spared { $saved } triangles; { $tested } were tested.
+frustum-culling-done = { $outside } outside, { $inside } inside, { $crossing } crossing. { $tests } plane { $tests ->
+    [one] test
+   *[other] tests
+} spared { $saved } { $saved ->
+    [one] triangle
+   *[other] triangles
+}; { $tested } { $tested ->
+    [one] was
+   *[other] were
+} tested.
 
 frustum-culling-sphere = sphere
 frustum-culling-box = box

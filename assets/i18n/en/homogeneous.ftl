@@ -9,7 +9,10 @@ homogeneous-zero-area = The determinant is 0: the triangle has no area, or the e
 homogeneous-turned = The determinant is negative: every sign is **turned**, so that the inside is positive.
 homogeneous-inverse-w = The three edges added up are det/w, linear on the screen: its **{ $term }** is **{ $value }**.
 homogeneous-near = The near plane, w = { $near }, is a **fourth edge**: its **{ $term }** is **{ $value }**.
-homogeneous-box-whole = A corner is not in front of the eye, so its quotient bounds nothing: **all { $count } centres** of the image are looked at.
+homogeneous-box-whole = A corner is not in front of the eye, so its quotient bounds nothing: { $count ->
+    [one] **the only centre** of the image is
+   *[other] **all { $count } centres** of the image are
+} looked at.
 homogeneous-test-in = Centre ({ $x }, { $y }): every edge is positive, so 1/w is too. **Drawn**.
 homogeneous-test-near = Centre ({ $x }, { $y }): **N** is negative. The triangle is nearer than the near plane there: **out**.
 homogeneous-pixel-near = **N** keeps it **out**: the triangle is nearer than w = { $near } there.

@@ -14,7 +14,13 @@ msaa-sample-out = Sample { $sample } at { $at } is **outside**: an edge value is
 msaa-sample-tie-in = Sample { $sample } at { $at } lies exactly on an edge that draws ties: **inside**.
 msaa-sample-tie-out = Sample { $sample } at { $at } lies exactly on an edge that leaves ties to its neighbour: **outside**.
 msaa-mask-none = No sample of pixel ({ $x }, { $y }) is inside: **it stays as it is**.
-msaa-mask = **{ $inside } of { $count }** samples of pixel ({ $x }, { $y }) are inside.
+msaa-mask = { $count ->
+    [one] The **only** sample of pixel ({ $x }, { $y }) is inside.
+   *[other] **{ $inside } of { $count }** samples of pixel ({ $x }, { $y }) { $inside ->
+        [one] is
+       *[other] are
+    } inside.
+}
 msaa-shade-centre = Shaded once, at the centre: code **{ $code }** for { $inside ->
     [one] one sample
    *[other] { $inside } samples
@@ -26,7 +32,13 @@ msaa-shade-centroid = Shaded once, at sample { $sample }, the first one inside: 
 }.
 msaa-shade-sample = Shaded at sample { $sample }: code **{ $code }**.
 msaa-resolve = Pixel ({ $x }, { $y }) shows the mean of its samples: **{ $code }**.
-msaa-done = Done: { $tested } samples tested, { $inside } inside, **{ $shades } shades** computed.
+msaa-done = Done: { $tested } { $tested ->
+    [one] sample
+   *[other] samples
+} tested, { $inside } inside, **{ $shades } { $shades ->
+    [one] shade
+   *[other] shades
+}** computed.
 msaa-marker-triangle = { $object }
 msaa-samples = Samples of the pixel
 msaa-counts = What it cost

@@ -18,11 +18,27 @@ pipeline-reason-redrawn = redrawn
 
 pipeline-unit-triangles = tri
 pipeline-unit-vertices = vtx
-pipeline-unit-spans = spans
-pipeline-unit-rows = rows
+pipeline-unit-spans = { $count ->
+    [one] span
+   *[other] spans
+}
+pipeline-unit-rows = { $count ->
+    [one] row
+   *[other] rows
+}
+pipeline-unit-tile-rows = { $count ->
+    [one] tile row
+   *[other] tile rows
+}
 pipeline-unit-fragments = frag
-pipeline-unit-values = values
-pipeline-unit-shades = shades
+pipeline-unit-values = { $count ->
+    [one] value
+   *[other] values
+}
+pipeline-unit-shades = { $count ->
+    [one] shade
+   *[other] shades
+}
 pipeline-unit-pixels = px
 
 pipeline-pixel-written = passed

@@ -20,8 +20,14 @@ plane-equation-drift = Pixel { $x } gets **{ $value }**; the exact value rounds 
 plane-equation-zero-area = The triangle has no area: **nothing to fill**.
 plane-equation-zero-w = A vertex has w = 0: it is nowhere on the screen, so there is **nothing to fill**.
 plane-equation-no-pixel = No centre of the row through P lies inside: **nothing to fill**.
-plane-equation-done = The row is done: **all { $count } values** are the exact ones, rounded once.
-plane-equation-done-drift = The row is done: **{ $off } of { $count }** values have drifted off the exact ones.
+plane-equation-done = The row is done: { $count ->
+    [one] its **only value** is the exact one
+   *[other] **all { $count } values** are the exact ones
+}, rounded once.
+plane-equation-done-drift = The row is done: **{ $off } of { $count }** { $count ->
+    [one] value has drifted off the exact one
+   *[other] values have drifted off the exact ones
+}.
 plane-equation-marker-plane = plane
 plane-equation-marker-start = first centre
 plane-equation-marker-none = nothing

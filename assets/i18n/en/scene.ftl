@@ -17,8 +17,14 @@ error-scene-kind-fraction = one with a fraction
 error-scene-kind-text = a text in quotes
 error-scene-kind-list = a list
 error-scene-kind-object = an object
-error-scene-length = { $path }: the list must have { $wanted } items; it has { $found }.
-error-scene-too-short = { $path }: the list must have at least { $least } items; it has { $found }.
+error-scene-length = { $path }: the list must have { $wanted ->
+    [one] one item
+   *[other] { $wanted } items
+}; it has { $found }.
+error-scene-too-short = { $path }: the list must have at least { $least ->
+    [one] one item
+   *[other] { $least } items
+}; it has { $found }.
 error-scene-missing = { $path }: this field is missing. Add it.
 error-scene-unknown-field = { $path }: this field does not belong here. The fields here are: { $known }.
 error-scene-unknown-name = { $path }: "{ $name }" is unknown. Use one of: { $known }.
@@ -38,8 +44,14 @@ error-scene-up-parallel = { $path }: "up" must not be zero or parallel to the li
 error-scene-too-many-pixels = { $path }: the image has too many pixels; at most { $limit } are possible.
 error-scene-samples = { $path }: a pixel has 1, 2, 4 or 8 samples.
 error-scene-not-triples = { $path }: without indices every three vertices are a triangle, but { $found } is no multiple of 3.
-error-scene-no-such-vertex = { $path }: there is no vertex { $index }; the { $vertices } vertices count from 0.
-error-scene-not-one-each = { $path }: there must be one for each of the { $vertices } vertices, not { $found }.
+error-scene-no-such-vertex = { $path }: there is no vertex { $index }; { $vertices ->
+    [one] the only vertex is number 0
+   *[other] the { $vertices } vertices count from 0
+}.
+error-scene-not-one-each = { $path }: there must be one for { $vertices ->
+    [one] the only vertex
+   *[other] each of the { $vertices } vertices
+}, not { $found }.
 error-scene-no-texture-coordinates = { $path }: a texture needs texture coordinates, and this mesh has none. Add "uvs" or remove the texture.
 error-scene-window-reversed = { $path }: the window is [xmin, ymin, xmax, ymax], and no minimum may exceed its maximum.
 error-scene-polygon-corners = { $path }: the window must have 3 to 32 corners.

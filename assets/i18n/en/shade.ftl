@@ -32,7 +32,10 @@ shade-marker-diffuse = diffuse
 shade-marker-specular = specular
 shade-marker-sum = sum
 shade-key-outgoing = how bright it is seen from there; the circle is white
-shade-unit-points = points
+shade-unit-points = { $count ->
+    [one] point
+   *[other] points
+}
 shade-terms = The terms
 shade-vectors = The vectors
 shade-numbers = On the way

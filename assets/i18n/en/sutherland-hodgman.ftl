@@ -6,7 +6,10 @@ sutherland-hodgman-opening = { $polygons ->
     [one] The whole polygon is cut at one side of the window. What is left goes to the next side.
    *[other] Each polygon is cut at one side of the window after the other, as if the others were not there.
 }
-sutherland-hodgman-begin = Polygon { $number } starts with its { $corners } corners as they were given.
+sutherland-hodgman-begin = Polygon { $number } starts with { $corners ->
+    [one] its only corner as it was given
+   *[other] its { $corners } corners as they were given
+}.
 sutherland-hodgman-side = Now the **{ $side }** side cuts. Inside is { $inside }.
 sutherland-hodgman-first-in = The first corner **{ $first }** is inside: it is emitted.
 sutherland-hodgman-first-on = The first corner **{ $first }** lies on the side. That counts as inside: it is emitted.

@@ -51,8 +51,14 @@ ui-palette-lab = Open: { $name }
 ui-palette-preset = Preset: { $name }
 ui-unit-line = line
 ui-unit-point = point
-ui-unit-polygon = polygon
-ui-unit-objects = objects
+ui-unit-polygon = { $count ->
+    [one] polygon
+   *[other] polygons
+}
+ui-unit-objects = { $count ->
+    [one] object
+   *[other] objects
+}
 
 ui-stage-off = off
 ui-stage-earlier = { $count } { $count ->
@@ -169,7 +175,10 @@ ui-picture-ending = A picture's name ends in .svg or .png, that of values in .cs
 ui-film-ending = An animated picture's name ends in .png or .apng.
 ui-film-busy = An animated picture is being made: wait for it, or stop it first.
 ui-film-frame = Animated picture: frame { $number } of { $all }
-ui-film-saved = Saved to { $path }: { $frames } frames.
+ui-film-saved = Saved to { $path }: { $frames ->
+    [one] one frame
+   *[other] { $frames } frames
+}.
 ui-film-stopped = The animated picture was stopped: nothing was written.
 ui-busy-open = Opening { $name }
 ui-busy-image = Computing the image

@@ -6,8 +6,14 @@ weiler-atherton-opening = First every crossing of the polygon with the window is
 weiler-atherton-edge = **{ $start } → { $end }**: does it cross the window's border?
 weiler-atherton-cross-enters = It crosses the **{ $side }** border at { $at }: there it **enters**. This is { $crossing }.
 weiler-atherton-cross-leaves = It crosses the **{ $side }** border at { $at }: there it **leaves**. This is { $crossing }.
-weiler-atherton-origin-inside = The polygon winds around the corner **C0** { $winding } times, an odd number: C0 is **inside**.
-weiler-atherton-origin-outside = The polygon winds around the corner **C0** { $winding } times, an even number: C0 is **outside**.
+weiler-atherton-origin-inside = The polygon winds around the corner **C0** { $winding } { $winding ->
+    [one] time
+   *[other] times
+}, an odd number: C0 is **inside**.
+weiler-atherton-origin-outside = The polygon winds around the corner **C0** { $winding } { $winding ->
+    [one] time
+   *[other] times
+}, an even number: C0 is **outside**.
 weiler-atherton-next-inside = Round the window, **{ $crossing }** at { $at } comes next. Behind it the border is **inside** the polygon.
 weiler-atherton-next-outside = Round the window, **{ $crossing }** at { $at } comes next. Behind it the border is **outside** the polygon.
 weiler-atherton-start = **{ $crossing }** enters and is unused: a ring starts there, at { $at }.

@@ -125,7 +125,7 @@ fn ribbon(subject: &Subject<'_>) -> String {
         let count = stats.stage(stage);
         let out = if count.on || stage == Stage::Image || stage == Stage::Scene {
             let n = written::integer(i64::try_from(count.went).unwrap_or(i64::MAX));
-            let unit = WORDS.word(Unit::of(stage).word());
+            let unit = say(&Message::new(Unit::of(stage).word()).with("count", count.went as usize));
             format!("<span class=\"count\">{n}</span> <span class=\"unit\">{}</span>", escape(&unit))
         } else {
             format!("<span class=\"off\">{}</span>", escape(&WORDS.word("tour-off")))

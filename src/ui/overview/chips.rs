@@ -5,7 +5,7 @@ use crate::shell::ribbon::Chip;
 use rasterscope_core::{
     explain::{Row, Table},
     labs::Stage,
-    message::Value,
+    message::{Message, Value},
     pipeline::{Outputs, Stats, Unit},
 };
 use rasterscope_figure::{
@@ -27,7 +27,7 @@ pub(super) fn chips(outputs: &Outputs, theme: ThemeName, words: &Words) -> Vec<C
         Chip {
             stage,
             count: count.on.then(|| number(count.went)),
-            unit: words.word(Unit::of(stage).word()),
+            unit: unit(Unit::of(stage), count.went, words),
             skipped: reasons
                 .into_iter()
                 .map(|(reason, n)| format!("{} {}", number(n), words.word(reason.word())))
@@ -38,6 +38,12 @@ pub(super) fn chips(outputs: &Outputs, theme: ThemeName, words: &Words) -> Vec<C
     Stage::ALL.into_iter().map(chip).collect()
 }
 
+/// The name of what is counted, after that count.
+fn unit(unit: Unit, count: u64, words: &Words) -> String {
+    let count = i64::try_from(count).unwrap_or(i64::MAX);
+    words.message(&Message::new(unit.word()).with("count", count))
+}
+
 /// The counts of all stages that are on, as a table.
 pub(super) fn table(stats: &Stats, words: &Words) -> TextTable {
     let value = |n: u64| Value::Int(i64::try_from(n).unwrap_or(i64::MAX));
@@ -46,9 +52,9 @@ pub(super) fn table(stats: &Stats, words: &Words) -> TextTable {
         let dropped: u64 = count.reasons().map(|(_, n)| n).sum();
         let cells = vec![
             value(count.came),
-            Value::Word(Unit::into(stage).word()),
+            Value::Text(unit(Unit::into(stage), count.came, words)),
             value(count.went),
-            Value::Word(Unit::of(stage).word()),
+            Value::Text(unit(Unit::of(stage), count.went, words)),
             value(dropped),
         ];
         Row::new(words.word(stage.word()), cells)

@@ -69,7 +69,11 @@ impl Lab for FillTriangle {
     }
 
     fn outcome(&self, _: &Document, markers: &[(usize, Marker)]) -> Option<Outcome> {
-        let unit = if self.0 == Algorithm::Scanline { "pipeline-unit-spans" } else { "pipeline-unit-rows" };
+        let unit = match self.0 {
+            Algorithm::Scanline => "pipeline-unit-spans",
+            Algorithm::Tiled => "pipeline-unit-tile-rows",
+            _ => "pipeline-unit-rows",
+        };
         Some(Outcome { unit: Some(unit), ..rows(markers) })
     }
 

@@ -4,7 +4,9 @@ use crate::{
     face::{Command, Face},
     theme::Text,
 };
-use egui::{Align2, Context, EventFilter, Grid, Id, Key, KeyboardShortcut, Modifiers, Popup, Ui, Window};
+use egui::{
+    Align2, Context, EventFilter, Grid, Id, Key, KeyboardShortcut, Modifiers, Popup, ScrollArea, Ui, Window,
+};
 use rasterscope_core::{explain::Level, pipeline::Overlay};
 
 /// One key, what it does, and the message that says so.
@@ -120,41 +122,81 @@ pub(crate) fn keep_arrows(ctx: &Context) {
     });
 }
 
-/// Shows all keys over the canvas.
+/// What the overlay says: a key, and what it does.
+fn rows(ctx: &Context, face: &Face<'_>) -> Vec<[String; 2]> {
+    // One row says what all four do, and all eight.
+    let alike = |command: &Command| match command {
+        Command::MovePixel(by) => *by != [-1, 0],
+        Command::Overlay(overlay) => *overlay != Overlay::None,
+        _ => false,
+    };
+    let each = all().into_iter().filter(|(_, command, _)| !alike(command));
+    let mut rows: Vec<_> = each
+        .map(|(shortcut, command, name)| {
+            let key = match command {
+                Command::Overlay(_) => format!("0 … {}", Overlay::ALL.len() - 1),
+                _ => text(ctx, &shortcut),
+            };
+            [key, face.say(name)]
+        })
+        .collect();
+    let others = [("Tab", "ui-key-tab"), ("← → ↑ ↓", "ui-key-arrows"), ("Alt", "ui-key-alt")];
+    rows.extend(others.map(|(key, name)| [key.to_owned(), face.say(name)]));
+    rows
+}
+
+/// Room between a key and its meaning, between two columns, and round all of them.
+const APART: [f32; 3] = [16.0, 36.0, 24.0];
+
+/// Shows all keys over the canvas: in two columns if they fit side by side, and never higher than
+/// the window, so that the button that closes it is always there.
 pub(crate) fn overlay(ui: &Ui, face: &Face<'_>) {
-    let centre = ui.ctx().content_rect().center();
+    let whole = ui.ctx().content_rect();
     let area = Window::new(face.say("ui-help-keys"))
         .collapsible(false)
         .resizable(false)
         .pivot(Align2::CENTER_CENTER)
-        .fixed_pos(centre);
-    area.show(ui.ctx(), |ui| {
-        Grid::new("keys").num_columns(2).spacing([24.0, 6.0]).show(ui, |ui| {
-            // One row says what all four do, and all eight.
-            let alike = |command: &Command| match command {
-                Command::MovePixel(by) => *by != [-1, 0],
-                Command::Overlay(overlay) => *overlay != Overlay::None,
-                _ => false,
-            };
-            for (shortcut, command, name) in all().into_iter().filter(|(_, command, _)| !alike(command)) {
-                let key = match command {
-                    Command::Overlay(_) => format!("0 … {}", Overlay::ALL.len() - 1),
-                    _ => text(ui.ctx(), &shortcut),
-                };
-                ui.label(face.rich(key, Text::MonoStrong));
-                ui.label(face.rich(face.say(name), Text::Label));
-                ui.end_row();
-            }
-            for (keys, name) in [("Tab", "ui-key-tab"), ("← → ↑ ↓", "ui-key-arrows"), ("Alt", "ui-key-alt")]
-            {
-                ui.label(face.rich(keys, Text::MonoStrong));
-                ui.label(face.rich(face.say(name), Text::Label));
-                ui.end_row();
-            }
+        .fixed_pos(whole.center());
+    let rows = rows(ui.ctx(), face);
+    let measure = |text: &str, style| {
+        ui.painter().layout_no_wrap(text.to_owned(), face.look.font(style), face.look.text).size().x
+    };
+    let [keys, names] = [(0, Text::MonoStrong), (1, Text::Label)]
+        .map(|(part, style)| rows.iter().map(|row| measure(&row[part], style)).fold(0.0, f32::max));
+    let wide = keys + APART[0] + names;
+    let columns = if 2.0 * wide + APART[1] + APART[2] <= whole.width() { 2 } else { 1 };
+    let line = face.look.line_height(Text::Label).max(face.look.line_height(Text::Mono));
+    // The title, the button and the borders keep their place.
+    let room = whole.height() - 2.0 * face.look.button_height() - 56.0;
+    let shown = area.show(ui.ctx(), |ui| {
+        ui.spacing_mut().interact_size.y = line;
+        ScrollArea::vertical().max_height(room).auto_shrink(true).show(ui, |ui| {
+            let grid = Grid::new("keys").num_columns(2 * columns).min_row_height(line);
+            grid.spacing([APART[0], 2.0]).show(ui, |ui| {
+                let high = rows.len().div_ceil(columns);
+                for i in 0..high {
+                    for [key, name] in rows.iter().skip(i).step_by(high) {
+                        ui.label(face.rich(key, Text::MonoStrong));
+                        ui.horizontal(|ui| {
+                            ui.label(face.rich(name, Text::Label));
+                            ui.add_space(if columns > 1 { APART[1] - APART[0] } else { 0.0 });
+                        });
+                    }
+                    ui.end_row();
+                }
+            });
         });
         ui.add_space(8.0);
+        ui.spacing_mut().interact_size.y = face.look.button_height();
         if ui.button(face.say("ui-close")).clicked() {
             face.ask(Command::Keys);
         }
     });
+    // A frame late a window knows its size: without the next frame it would stand there cut off.
+    let size = shown.map(|shown| shown.response.rect.size());
+    let known = ui.scope_id().with("keys");
+    if ui.data(|data| data.get_temp(known)) != Some(size) {
+        ui.data_mut(|data| data.insert_temp(known, size));
+        ui.ctx().request_repaint();
+    }
 }

@@ -59,6 +59,8 @@ pub(crate) struct Canvas<'a> {
     layers: [Vec<Shape>; Layer::COUNT],
     /// The cells of a pixel grid, as far as they are on the canvas; else all of the canvas.
     pub(crate) frame: Rect,
+    /// Whether a picture lies under the drawing.
+    pub(crate) pictured: bool,
     /// What no label may cover: handles, fixed plates, region codes, values.
     pub(crate) kept_clear: Vec<Rect>,
     /// What labels avoid if they can: marks in cells.
@@ -80,6 +82,7 @@ impl<'a> Canvas<'a> {
             placement: *placement,
             rect,
             frame: rect,
+            pictured: false,
             layers: Default::default(),
             kept_clear: Vec::new(),
             small: Vec::new(),
@@ -127,6 +130,11 @@ impl<'a> Canvas<'a> {
             self.line(Layer::Underlay, points, closed, Stroke::solid(color, width));
         }
         let stroke = Stroke { color: style.color, width: style.width, dash: style.dash, phase: 0.0 };
+        if self.pictured {
+            // Black is a value of the picture, and ink: the line lies on a strip of canvas.
+            let strip = Stroke::solid(self.theme.canvas.alpha(0.75), style.width + 3.0);
+            self.line(Layer::Grid, points, closed, strip);
+        }
         self.line(Layer::of(role), points, closed, stroke);
         let visible = self.rect;
         let lines = if role == Role::Active { &mut self.active_lines } else { &mut self.lines };

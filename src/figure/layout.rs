@@ -50,6 +50,7 @@ pub fn draw_held(
     held: Option<&Places>,
 ) -> (Figure, Places) {
     let mut canvas = Canvas::new(placement, size, theme, words);
+    canvas.pictured = marks.iter().any(|mark| matches!(mark, Mark::Image { .. }));
     let cells = Cells::of(marks);
     grid::draw(&mut canvas, view, &cells);
     let mut wishes = Vec::new();

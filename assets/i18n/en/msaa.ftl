@@ -44,5 +44,6 @@ msaa-samples = Samples of the pixel
 msaa-counts = What it cost
 msaa-key-inside = sample inside
 msaa-key-outside = sample not inside
+msaa-key-found = found outside now
 msaa-hint-in = sample { $sample }: inside { $object }  E0 { $e0 }  E1 { $e1 }  E2 { $e2 }
 msaa-hint-out = sample { $sample }: outside { $object }  E0 { $e0 }  E1 { $e1 }  E2 { $e2 }

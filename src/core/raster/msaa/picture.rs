@@ -26,11 +26,11 @@ impl Snapshot {
             let at = pixel.map(|n| n as i32);
             out.push(Mark::Pixel { at, role: Role::Active, object: None, value });
         }
-        let testing = self.verdicts.iter().any(Option::is_some);
-        let outside = if testing { Role::Rejected } else { Role::Candidate };
-        for (role, meaning) in [(Role::Accepted, "msaa-key-inside"), (outside, "msaa-key-outside")] {
-            out.push(Mark::Key { role, sign: Sign::Marker, meaning: Message::new(meaning) });
-        }
+        let key = |role, meaning| Mark::Key { role, sign: Sign::Marker, meaning: Message::new(meaning) };
+        let found = out.iter().any(|mark| matches!(mark, Mark::Point { role: Role::Rejected, .. }));
+        out.push(key(Role::Accepted, "msaa-key-inside"));
+        out.push(key(Role::Candidate, "msaa-key-outside"));
+        out.extend(found.then(|| key(Role::Rejected, "msaa-key-found")));
     }
 
     /// The code of a pixel that is resolved.
@@ -40,16 +40,13 @@ impl Snapshot {
         if shown { u32::from(self.image.codes[index]).into() } else { Value::None }
     }
 
-    /// Grey as resolved; before that the mean of what is stored.
+    /// Grey as resolved; before that the mean of what is stored. What nothing covers is black, or
+    /// white could not be told from nothing on a white canvas.
     fn shown(&self, out: &mut Vec<Mark>) {
-        if self.image.masks.iter().all(|mask| *mask == 0) {
-            return;
-        }
         let mut rgba = Vec::with_capacity(4 * self.image.masks.len());
-        for (samples, mask) in self.image.samples.iter().zip(&self.image.masks) {
+        for samples in &self.image.samples {
             let code = self.conventions.samples.resolve(samples);
-            let alpha = if *mask == 0 { 0 } else { 255 };
-            rgba.extend([code, code, code, alpha]);
+            rgba.extend([code, code, code, 255]);
         }
         let size = self.image.size.map(|side| side as usize);
         out.push(Mark::Image { size, rgba: Arc::new(rgba) });

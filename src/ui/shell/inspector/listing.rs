@@ -16,15 +16,38 @@ use egui::{
 /// Room for the line numbers.
 const NUMBERS: f32 = 38.0;
 
-/// Shows the listing.
+/// Room above and below the listing.
+const ROOM: f32 = 8.0;
+/// At least so many lines stay in sight below what a step says.
+const LEAST: f32 = 5.0;
+
+/// How high the listing is, and how much of it must stay in sight.
+pub(super) fn heights(ui: &Ui, face: &Face<'_>, shown: &Shown) -> [f32; 2] {
+    let line = face.look.line_height(Text::Listing);
+    let high = |text: &&str| layout(ui, face, text).1.size().y.max(line);
+    let whole = shown.listing.iter().map(high).sum::<f32>() + 2.0 * ROOM;
+    [whole, whole.min(LEAST * line + ROOM)]
+}
+
+/// Shows the listing; after a step the lit line is scrolled into sight, and then left to the user.
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown) {
     let look = face.look;
-    ui.add_space(8.0);
+    let key = ui.scope_id().with("scrolled");
+    // More room, or less, for the same step is as good as a step.
+    let now = (shown.rev, ui.clip_rect().size().to_pos2());
+    let stepped = ui.data(|data| data.get_temp(key)) != Some(now);
+    ui.data_mut(|data| data.insert_temp(key, now));
+    ui.add_space(ROOM);
     for (i, line) in shown.listing.iter().enumerate() {
         let (left, galley) = layout(ui, face, line);
         let size = vec2(ui.available_width(), galley.size().y.max(look.line_height(Text::Listing)));
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
         let lit = shown.line == Some(i);
+        if lit && stepped {
+            // With a line above and below, so that it stands in its context. At once: a step is instant.
+            let context = rect.expand2(vec2(0.0, look.line_height(Text::Listing)));
+            ui.scroll_to_rect_animation(context, None, egui::style::ScrollAnimation::none());
+        }
         let name = line.trim_start();
         response.widget_info(|| WidgetInfo::selected(Part::Button, true, lit, format!("{}: {name}", i + 1)));
         if !ui.is_rect_visible(rect) {
@@ -49,7 +72,7 @@ pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown) {
             face.ask(Command::ToLine(i));
         }
     }
-    ui.add_space(8.0);
+    ui.add_space(ROOM);
 }
 
 /// One line and how far it is indented; what does not fit goes on below.

@@ -136,6 +136,12 @@ pub(crate) fn show(
     ui.scope_builder(body, |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.style_mut().interaction.selectable_labels = true;
+        if let (Tab::Step, Some(shown), Some(digest)) = (view.tab, shown, digest) {
+            if let Some(sides) = split.filter(|_| whole.pair.is_some()) {
+                chooser(ui, face, sides, whole.side);
+            }
+            return step::show(ui, face, shown, digest);
+        }
         ScrollArea::vertical().id_salt(view.tab as usize).auto_shrink(false).show(ui, |ui| {
             ui.set_width(ui.available_width());
             if let Some(sides) = split.filter(|_| view.tab != Tab::Difference && whole.pair.is_some()) {
@@ -148,8 +154,7 @@ pub(crate) fn show(
                 },
                 (Tab::Pixel, ..) if whole.decides => report::show(ui, face, whole.report),
                 (Tab::Pixel, ..) => pixel::show(ui, face, whole.history),
-                (_, None, _) | (_, _, None) => empty(ui, face, frame, whole.stages),
-                (Tab::Step, Some(shown), Some(digest)) => step::show(ui, face, shown, digest),
+                (_, None, _) | (_, _, None) | (Tab::Step, ..) => empty(ui, face, frame, whole.stages),
                 (Tab::Listing, Some(shown), _) => listing::show(ui, face, shown),
                 (Tab::Values, _, Some(digest)) => {
                     inset(ui, |ui| {

@@ -1,10 +1,16 @@
 //! The digest of one step: sentence, formula with this step's numbers, values, listing.
 
 use super::{Digest, inset, listing, part_line, table};
-use crate::{face::Face, run::Shown, theme::Text};
+use crate::{
+    face::Face,
+    run::Shown,
+    theme::Text,
+    widgets::{follow_focus, rule},
+};
 use egui::{
-    Stroke, Ui, UiBuilder,
+    ScrollArea, Sense, Stroke, Ui, UiBuilder,
     text::{LayoutJob, TextFormat},
+    vec2,
 };
 use rasterscope_figure::tables::{Run as Piece, TextTable};
 
@@ -14,26 +20,44 @@ const MOST_ROWS: usize = 9;
 /// From this width on the listing stands beside the rest.
 const BESIDE: f32 = 620.0;
 
+/// The part of the height that the listing has at least, if it needs it.
+const LISTING: f32 = 0.3;
+
 /// Shows the digest.
+///
+/// What happened and the listing scroll by themselves: whatever is long, the sentence and the lit
+/// line are in sight together.
 pub(crate) fn show(ui: &mut Ui, face: &Face<'_>, shown: &Shown, digest: &Digest) {
-    if ui.available_width() < BESIDE {
-        happened(ui, face, digest);
-        part_line(ui, face);
-        return listing::show(ui, face, shown);
-    }
+    let scrolled = |ui: &mut Ui, name: &str, most: f32, content: &mut dyn FnMut(&mut Ui)| {
+        let area = ScrollArea::vertical().id_salt(name).max_height(most).auto_shrink([false, true]);
+        area.show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            content(ui);
+            follow_focus(ui);
+        });
+    };
     let rect = ui.available_rect_before_wrap();
+    if rect.width() < BESIDE {
+        let [whole, least] = listing::heights(ui, face, shown);
+        let least = least.max(whole.min(LISTING * rect.height())) + 1.0;
+        scrolled(ui, "happened", rect.height() - least, &mut |ui| happened(ui, face, digest));
+        let (line, _) = ui.allocate_exact_size(vec2(rect.width(), 1.0), Sense::hover());
+        let rest = ui.available_height();
+        scrolled(ui, "listing", rest, &mut |ui| listing::show(ui, face, shown));
+        // Last, or what fades out at the edge of the listing would lie over it.
+        return rule(ui, line, face.look);
+    }
     let middle = ui.painter().round_to_pixel_center(rect.left() + rect.width() * 0.54);
     let [left, right] = [rect.with_max_x(middle), rect.with_min_x(middle + 1.0)];
-    let mut end = rect.top();
     for (part, half) in [left, right].into_iter().enumerate() {
-        let inner = ui.scope_builder(UiBuilder::new().max_rect(half), |ui| {
-            ui.set_width(half.width());
-            if part == 0 { happened(ui, face, digest) } else { listing::show(ui, face, shown) }
+        ui.scope_builder(UiBuilder::new().max_rect(half), |ui| {
+            let name = ["happened", "listing"][part];
+            scrolled(ui, name, half.height(), &mut |ui| {
+                if part == 0 { happened(ui, face, digest) } else { listing::show(ui, face, shown) }
+            });
         });
-        end = inner.response.rect.bottom().max(end);
     }
-    let foot = end.max(ui.clip_rect().bottom());
-    ui.painter().vline(middle, rect.top()..=foot, Stroke::new(1.0, face.look.line));
+    ui.painter().vline(middle, rect.y_range(), Stroke::new(1.0, face.look.line));
 }
 
 /// Sentence, formulas and the values that they are about.

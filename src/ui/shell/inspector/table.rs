@@ -66,21 +66,36 @@ pub(super) fn changed(row: &TextRow) -> bool {
 }
 
 fn title(ui: &mut Ui, face: &Face<'_>, table: &TextTable, key: bool) {
+    let note = face.say("ui-changed");
+    let wide = |text: &str, style| {
+        ui.painter().layout_no_wrap(text.to_owned(), face.look.font(style), face.look.text).size().x
+    };
+    let both = wide(&table.title, Text::LabelStrong) + GAP + wide(&note, Text::Label) + 18.0;
+    let beside = both <= ui.available_width() - 2.0 * INSET;
+    let noted = key && table.rows.iter().any(changed);
+    let mark = |ui: &mut Ui| {
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let color = face.look.role(Role::Changed);
+            ui.label(face.rich(&note, Text::Label).color(color));
+            let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
+            paint::marker(ui.painter(), rect.center(), Role::Changed, 8.0, face.look);
+        });
+    };
     inset(ui, |ui| {
         ui.horizontal(|ui| {
             let title = ui.label(face.dim(&table.title, Text::LabelStrong));
             if let Some(meaning) = table.meanings.first().cloned().flatten() {
                 title.on_hover_text(meaning);
             }
-            if key && table.rows.iter().any(changed) {
-                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    let color = face.look.role(Role::Changed);
-                    ui.label(face.rich(face.say("ui-changed"), Text::Label).color(color));
-                    let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
-                    paint::marker(ui.painter(), rect.center(), Role::Changed, 8.0, face.look);
-                });
+            if noted && beside {
+                mark(ui);
             }
         });
+        // Beside a long title there is no room.
+        if noted && !beside {
+            ui.spacing_mut().interact_size.y = 0.0;
+            ui.horizontal(mark);
+        }
     });
 }
 

@@ -165,12 +165,32 @@ impl Shapes<'_> {
         if closed {
             points.extend(points.first().copied());
         }
-        let dashes: Vec<f32> = stroke.dash.iter().copied().step_by(2).collect();
-        let gaps: Vec<f32> = stroke.dash.iter().copied().skip(1).step_by(2).collect();
-        let lines =
-            egui::Shape::dashed_line_with_offset(&points, solid(stroke), &dashes, &gaps, -stroke.phase);
-        self.painter.extend(lines);
+        self.painter.extend(dashed(&points, stroke, self.painter.pixels_per_point()));
     }
+}
+
+/// The dashes of a line.
+///
+/// egui moves both ends of a level or upright segment to pixels: a dash shorter than a pixel or two
+/// would lose its length. A path keeps its ends; only its place across is moved, so that it is sharp.
+fn dashed(points: &[Pos2], stroke: &Stroke, pixels_per_point: f32) -> Vec<egui::Shape> {
+    let dashes: Vec<f32> = stroke.dash.iter().copied().step_by(2).collect();
+    let gaps: Vec<f32> = stroke.dash.iter().copied().skip(1).step_by(2).collect();
+    let pen = solid(stroke);
+    let mut out = egui::Shape::dashed_line_with_offset(points, pen, &dashes, &gaps, -stroke.phase);
+    for shape in &mut out {
+        if let egui::Shape::LineSegment { points: [mut a, mut b], .. } = *shape {
+            if a.x == b.x {
+                pen.round_center_to_pixel(pixels_per_point, &mut a.x);
+                b.x = a.x;
+            } else if a.y == b.y {
+                pen.round_center_to_pixel(pixels_per_point, &mut a.y);
+                b.y = a.y;
+            }
+            *shape = egui::Shape::line(vec![a, b], pen);
+        }
+    }
+    out
 }
 
 /// Whether a corner is sharper than 30 degrees.
@@ -270,6 +290,7 @@ fn crossing((a, b): (Pos2, Pos2), (c, d): (Pos2, Pos2)) -> Option<f32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use egui::vec2;
 
     fn area(points: &[[f32; 2]]) -> f32 {
         let points: Vec<Pos2> = points.iter().map(|p| pos2(p[0], p[1])).collect();
@@ -277,6 +298,40 @@ mod tests {
             .iter()
             .map(|[(a, b), (c, d)]| ((b.x - a.x) + (d.x - c.x)) / 2.0 * (c.y - a.y))
             .sum()
+    }
+
+    /// How much is painted of a dotted line from `at` in a direction, 120 points long.
+    fn ink(at: Pos2, direction: Vec2, pixels_per_point: f32) -> f32 {
+        let color = rasterscope_figure::theme::Color::hex(0);
+        let stroke = Stroke { color, width: 2.0, dash: &[2.0, 4.0], phase: 0.0 };
+        let shapes = dashed(&[at, at + 120.0 * direction], &stroke, pixels_per_point);
+        let options = egui::epaint::TessellationOptions::default();
+        let mut tessellator = egui::epaint::Tessellator::new(pixels_per_point, options, [1; 2], Vec::new());
+        let mut sum = 0.0;
+        for shape in shapes {
+            let mut mesh = Mesh::default();
+            tessellator.tessellate_shape(shape, &mut mesh);
+            for corners in mesh.indices.chunks_exact(3) {
+                let [a, b, c] = [0, 1, 2].map(|i| mesh.vertices[corners[i] as usize]);
+                let (u, v) = (b.pos - a.pos, c.pos - a.pos);
+                let shade = [a, b, c].iter().map(|v| f32::from(v.color.a()) / 255.0).sum::<f32>() / 3.0;
+                sum += (u.x * v.y - u.y * v.x).abs() / 2.0 * shade;
+            }
+        }
+        sum
+    }
+
+    #[test]
+    fn no_dot_of_a_line_vanishes_in_any_direction() {
+        let directions = [vec2(1.0, 0.0), vec2(0.0, 1.0), vec2(-1.0, 0.0), vec2(0.0, -1.0)];
+        for pixels_per_point in [1.0, 1.25, 1.5, 2.0] {
+            let slanted = ink(pos2(10.0, 10.0), vec2(0.6, 0.8), pixels_per_point);
+            for (direction, i) in directions.into_iter().flat_map(|it| (0..8).map(move |i| (it, i))) {
+                let at = pos2(200.0, 200.0) + vec2(0.13, 0.17) * i as f32;
+                let ink = ink(at, direction, pixels_per_point);
+                assert!((0.8..1.25).contains(&(ink / slanted)), "{at} {direction}: {ink}, {slanted}");
+            }
+        }
     }
 
     #[test]

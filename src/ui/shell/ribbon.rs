@@ -74,9 +74,8 @@ pub(crate) fn show(
         match shape {
             Shape::Tall => {
                 tall(ui, face, textures, at, chip, chosen);
-                let free = |neighbour: Option<&Chip>| neighbour.is_some_and(|chip| chip.skipped.is_empty());
-                let neighbours = [free(i.checked_sub(1).map(|left| &chips[left])), free(chips.get(i + 1))];
-                skipped(ui, face, at, chip, neighbours);
+                let right = chips.get(i + 1);
+                skipped(ui, face, at, chip, right.is_some_and(|chip| chip.skipped.is_empty()));
             }
             _ => flat(ui, face, at, chip, chosen),
         }
@@ -145,25 +144,24 @@ fn tall(ui: &Ui, face: &Face<'_>, textures: &mut Textures, at: Rect, chip: &Chip
     }
 }
 
-/// What was skipped, at the foot; it may use the place of a neighbour that has nothing to say.
-fn skipped(ui: &Ui, face: &Face<'_>, at: Rect, chip: &Chip, [left_free, right_free]: [bool; 2]) {
+/// What was skipped, at the foot; it may end in the place of a right neighbour that has nothing to say.
+fn skipped(ui: &Ui, face: &Face<'_>, at: Rect, chip: &Chip, right_free: bool) {
     let Some(most) = chip.skipped.first() else { return };
     let (painter, color) = (ui.painter(), face.look.role(Role::Rejected));
-    let measure = |text: &String| {
-        painter.layout_no_wrap(text.clone(), face.look.font(Text::Small), color).size().x + 14.0
-    };
-    let (left, right) = (at.left() + 9.0, at.right() - 2.0);
-    // All reasons if there is room for them, else the most frequent one.
-    let all = chip.skipped.join(", ");
-    let widest = if right_free { at.right() + 60.0 - left } else { right - left };
-    let text = if measure(&all) <= widest { &all } else { most };
-    let width = measure(text);
-    let start = if width <= right - left || right_free || !left_free { left } else { right - width };
+    let left = at.left() + 23.0;
+    let end = at.right() + if right_free { 60.0 } else { 2.0 };
+    // All reasons if there is room for them, else the most frequent one, else its number alone.
+    let short = in_thousands(face, most);
+    let number = short.split(char::is_alphabetic).next().unwrap_or_default().trim().to_owned();
+    let ways = [chip.skipped.join(", "), most.clone(), short.clone(), number];
+    let font = face.look.font(Text::Small);
+    let fits =
+        |text: &&String| painter.layout_no_wrap((*text).clone(), font.clone(), color).size().x <= end - left;
+    let text = ways.iter().find(fits).unwrap_or(&short);
     let y = at.top() + 67.0;
-    paint::marker(painter, pos2(start + 5.0, y), Role::Rejected, 8.0, face.look);
-    let end = if right_free { at.right() + 60.0 } else { right + 4.0 };
-    let room = Rect::from_min_max(pos2(start + 14.0, y - 9.0), pos2(end, y + 9.0));
-    text_in(painter, room, Align2::LEFT_CENTER, text, face.look.font(Text::Small), color);
+    paint::marker(painter, pos2(left - 9.0, y), Role::Rejected, 8.0, face.look);
+    let room = Rect::from_min_max(pos2(left, y - 9.0), pos2(end, y + 9.0));
+    text_in(painter, room, Align2::LEFT_CENTER, text, font, color);
 }
 
 /// The largest of some fonts in which a text fits; the last one if none does.
@@ -187,15 +185,35 @@ fn name_font(ui: &Ui, face: &Face<'_>, name: &str, width: f32, chosen: bool) -> 
 /// A count in full if it fits, else in thousands; the tooltip has it in full.
 fn fitting(ui: &Ui, face: &Face<'_>, count: &str, width: f32) -> (String, egui::FontId) {
     let (font, fits) = largest(ui, face, count, width, &[Text::Count, Text::LabelStrong]);
-    let digits: String = count.chars().filter(char::is_ascii_digit).collect();
-    if fits || digits.len() <= 3 {
+    if fits {
         return (count.to_owned(), font);
     }
-    let thousands = digits.parse().map_or(0, |n: u64| (n + 500) / 1000);
-    let count = face.say_with("ui-thousands", "count", thousands as usize);
     // A number that is cut would be another number.
+    let count = in_thousands(face, count);
     let (font, _) = largest(ui, face, &count, width, &[Text::Count, Text::LabelStrong, Text::Small]);
     (count, font)
+}
+
+/// A text with each of its numbers of more than three digits in thousands.
+fn in_thousands(face: &Face<'_>, text: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    while let Some(begin) = rest.find(|c: char| c.is_ascii_digit()) {
+        // Groups of digits are one number; the space before a word is not of it.
+        let group = |c: char| c.is_ascii_digit() || c == '\u{2009}';
+        let number = &rest[begin..];
+        let number = number[..number.find(|c| !group(c)).unwrap_or(number.len())].trim_end();
+        let digits: String = number.chars().filter(char::is_ascii_digit).collect();
+        out.push_str(&rest[..begin]);
+        if digits.len() > 3 {
+            let thousands = digits.parse().map_or(0, |n: u64| (n + 500) / 1000);
+            out.push_str(&face.say_with("ui-thousands", "count", thousands as usize));
+        } else {
+            out.push_str(number);
+        }
+        rest = &rest[begin + number.len()..];
+    }
+    out + rest
 }
 
 /// Names and counts.
@@ -206,14 +224,19 @@ fn flat(ui: &Ui, face: &Face<'_>, at: Rect, chip: &Chip, chosen: bool) {
     let name = face.say(chip.stage.word());
     let font = name_font(ui, face, &name, row(4.0).width(), chosen);
     text_in(ui.painter(), row(4.0), Align2::LEFT_CENTER, &name, font, ink);
-    text_in(
-        ui.painter(),
-        row(21.0),
-        Align2::LEFT_CENTER,
-        &line(face, chip),
-        face.look.font(Text::Small),
-        dim,
-    );
+    let font = face.look.font(Text::Small);
+    let text = counted(ui, face, chip, row(21.0).width());
+    text_in(ui.painter(), row(21.0), Align2::LEFT_CENTER, &text, font, dim);
+}
+
+/// The count with its unit, else without, else in thousands: a number is never cut.
+fn counted(ui: &Ui, face: &Face<'_>, chip: &Chip, width: f32) -> String {
+    let all = line(face, chip);
+    let Some(count) = &chip.count else { return all };
+    let short = in_thousands(face, count);
+    let ways = [all, count.clone()];
+    let fits = |text: &String| largest(ui, face, text, width, &[Text::Small]).1;
+    ways.into_iter().find(fits).unwrap_or(short)
 }
 
 fn line(face: &Face<'_>, chip: &Chip) -> String {

@@ -54,6 +54,8 @@ impl Anchor {
 #[derive(Clone, Debug)]
 pub(crate) struct Wish {
     pub(crate) anchor: Anchor,
+    /// What it may be attached to if there is no free place at that.
+    pub(crate) others: Vec<Anchor>,
     pub(crate) label: Label,
     pub(crate) role: Role,
 }
@@ -130,7 +132,7 @@ pub(crate) fn draw(canvas: &mut Canvas<'_>, wishes: &[Wish], held: Option<&Place
         let extent = [style.measure()[0] + 12.0, f64::from(size) * PLATE];
         places[index] = match held {
             Some(held) => held.0[index],
-            None => place(canvas, wish.anchor, extent),
+            None => place_at_any(canvas, wish, extent),
         };
         if let Some(offset) = places[index].offset {
             let rect = Rect::around([at[0] + offset[0], at[1] + offset[1]], extent);
@@ -145,6 +147,25 @@ pub(crate) fn draw(canvas: &mut Canvas<'_>, wishes: &[Wish], held: Option<&Place
         }
     }
     Places(places)
+}
+
+/// The first place that covers nothing at all, at any of the anchors; else what there is at the first.
+fn place_at_any(canvas: &Canvas<'_>, wish: &Wish, size: [f64; 2]) -> Place {
+    let at = wish.anchor.at();
+    let first = place(canvas, wish.anchor, size);
+    let clear = |anchor: Anchor, place: &Place| {
+        let [x, y] = anchor.at();
+        let rect = place.offset.map(|offset| Rect::around([x + offset[0], y + offset[1]], size));
+        !place.leader && rect.is_some_and(|rect| free(canvas, rect, true))
+    };
+    if wish.others.is_empty() || clear(wish.anchor, &first) {
+        return first;
+    }
+    let others = wish.others.iter().map(|&anchor| (anchor, place(canvas, anchor, size)));
+    let found = others.into_iter().find(|(anchor, place)| clear(*anchor, place));
+    let Some((anchor, Place { offset: Some(offset), .. })) = found else { return first };
+    let from = [0, 1].map(|axis| anchor.at()[axis] - at[axis] + offset[axis]);
+    Place { offset: Some(from), leader: false }
 }
 
 /// The first place that is free.

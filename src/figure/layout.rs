@@ -54,22 +54,17 @@ pub fn draw_held(
     let cells = Cells::of(marks);
     grid::draw(&mut canvas, view, &cells);
     let mut wishes = Vec::new();
-    let mut wish = |anchor: Option<Anchor>, label: Option<Label>, role: Role| {
-        if let (Some(anchor), Some(label)) = (anchor, label) {
-            wishes.push(Wish { anchor, label, role });
-        }
-    };
     for (index, mark) in marks.iter().enumerate() {
         match mark {
             Mark::Point { at, role, label } => {
                 let marked = *role == Role::Active && cells.ends_span(*at);
-                wish(point(&mut canvas, *at, *role, marked), label.clone(), *role);
+                wish(&mut wishes, point(&mut canvas, *at, *role, marked), label.clone(), *role);
             }
             Mark::Segment { ends, role, label } => {
-                wish(segment(&mut canvas, *ends, *role), label.clone(), *role);
+                wish(&mut wishes, segment(&mut canvas, *ends, *role), label.clone(), *role);
             }
             Mark::Curve { points, role, label } => {
-                wish(curve(&mut canvas, points, *role), label.clone(), *role);
+                wish(&mut wishes, curve(&mut canvas, points, *role), label.clone(), *role);
             }
             Mark::Guide { axis, at, role, label, note } => {
                 let axis = usize::from(*axis != 0);
@@ -77,7 +72,7 @@ pub fn draw_held(
                     && let Some(note) = note
                 {
                     let text = words.message(note);
-                    wish(canvas.far_end(axis, *at, &text), Some(Label::name(text)), *role);
+                    wish(&mut wishes, canvas.far_end(axis, *at, &text), Some(Label::name(text)), *role);
                 }
             }
             Mark::Polygon { points, role, object, label } => {
@@ -86,7 +81,7 @@ pub fn draw_held(
                     let anchor = Anchor::Area(canvas.areas.len(), centroid(&visible));
                     canvas.areas.push(visible);
                     let object = label.object.or(*object);
-                    wish(Some(anchor), Some(Label { object, ..label.clone() }), *role);
+                    wish(&mut wishes, Some(anchor), Some(Label { object, ..label.clone() }), *role);
                 }
             }
             Mark::Pixel { .. } => cells.pixel(&mut canvas, index, mark),
@@ -109,6 +104,14 @@ pub fn draw_held(
     let places = labels::draw(&mut canvas, &wishes, held);
     legend::draw(&mut canvas, marks);
     (canvas.finish(), places)
+}
+
+/// Notes a label, attached to the first of some anchors or to another one.
+fn wish(wishes: &mut Vec<Wish>, anchors: impl IntoIterator<Item = Anchor>, label: Option<Label>, role: Role) {
+    let mut anchors = anchors.into_iter();
+    if let (Some(anchor), Some(label)) = (anchors.next(), label) {
+        wishes.push(Wish { anchor, others: anchors.collect(), label, role });
+    }
 }
 
 /// Says that cells are too small for their values, and how far to zoom in; `None` if they are not.
@@ -143,13 +146,19 @@ fn segment(canvas: &mut Canvas<'_>, ends: [[f32; 2]; 2], role: Role) -> Option<A
     Some(Anchor::Segment(visible))
 }
 
-/// `None` if its middle is off the canvas.
-fn curve(canvas: &mut Canvas<'_>, points: &[[f32; 2]], role: Role) -> Option<Anchor> {
+/// Where its name may stand: at its middle, or, where that is near other lines, at another part.
+fn curve(canvas: &mut Canvas<'_>, points: &[[f32; 2]], role: Role) -> Vec<Anchor> {
     let points: Option<Vec<_>> = points.iter().map(|p| canvas.points(*p)).collect();
-    let points = points?;
+    let Some(points) = points else { return Vec::new() };
     canvas.role_line(&points, false, role);
-    let middle = points.len() / 2;
-    Some(Anchor::Segment(canvas.rect.clip([*points.get(middle.checked_sub(1)?)?, points[middle]])?))
+    let part = |share: f64| {
+        let at = (points.len() as f64 * share) as usize;
+        Some([*points.get(at.checked_sub(1)?)?, *points.get(at)?])
+    };
+    let middle = part(0.5).and_then(|ends| canvas.rect.clip(ends));
+    let others = [0.62, 0.38, 0.75, 0.25, 0.88, 0.12].into_iter().filter_map(part);
+    let others = others.filter_map(|ends| canvas.rect.clip(ends));
+    middle.into_iter().chain(others).map(Anchor::Segment).collect()
 }
 
 /// `None` if the line is off the canvas.

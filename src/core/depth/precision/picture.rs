@@ -4,6 +4,7 @@ use super::{Line, Snapshot};
 use crate::{
     depth::DepthFormat,
     explain::{Grid, Label, Mark, Role, View},
+    message::{Message, Value},
 };
 
 /// Points of a curve.
@@ -42,9 +43,21 @@ pub(super) fn mark(state: &Snapshot, out: &mut Vec<Mark>) {
         label: Some(Label::name(name)),
         note: None,
     };
-    out.push(guide(0, near.into(), Role::Neutral, format!("n = {near}")));
+    let mut up = guide(0, near.into(), Role::Neutral, format!("n = {near}"));
+    if let Mark::Guide { note, .. } = &mut up {
+        *note = Some(Message::new("depth-precision-axis-step"));
+    }
+    out.push(up);
     out.push(guide(0, far.into(), Role::Neutral, format!("f = {far}")));
     out.push(guide(1, state.gap.into(), Role::Rejected, format!("gap {}", state.gap)));
+    // Below the curves, where the axis has its ends.
+    let view = view(state);
+    out.push(Mark::Text {
+        at: [log(far.into()) as f32, view.min[1] + 0.12 * (view.max[1] - view.min[1])],
+        label: Label::new("", Value::Word("depth-precision-axis-distance")),
+        role: Role::Candidate,
+        big: false,
+    });
     for format in DepthFormat::ALL {
         let own = format == state.line.format;
         let role = if own { Role::Accepted } else { Role::Candidate };

@@ -12,13 +12,15 @@ const FILLED: f32 = 0.72;
 const WIDEST: f32 = 64.0;
 
 /// Draws each point as a bar with its number and its marker above; the spots are in the bars' middles.
+/// Answers what each bar takes with its number.
 pub(super) fn draw(
     plot: &Plot,
     [x, up]: [&Ruler; 2],
     theme: &Theme,
     shapes: &mut Vec<Shape>,
     spots: &mut Vec<Spot>,
-) {
+) -> Vec<[[f32; 2]; 2]> {
+    let mut taken = Vec::new();
     let each = (x.room() * FILLED / plot.series.len().max(1) as f32).min(WIDEST);
     let base = up.ends()[0];
     for (i, series) in plot.series.iter().enumerate() {
@@ -57,7 +59,10 @@ pub(super) fn draw(
             if plot.series.len() > 1 {
                 shapes.extend(mark(series.role, [middle, top - height - 12.0], theme));
             }
+            let half = half.max(width / 2.0 + 2.0);
+            taken.push([[middle - half, top - height - 2.0], [middle + half, base]]);
             spots.push(Spot { at: [middle, (top + base) / 2.0], point: [i, j] });
         }
     }
+    taken
 }

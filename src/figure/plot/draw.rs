@@ -90,22 +90,24 @@ pub fn draw(plot: &Plot, size: [f32; 2], theme: &Theme, lit: Option<[usize; 2]>)
                 vec![[left, y], [right, y]],
                 Stroke { dash: &[12.0, 4.0], ..Stroke::solid(theme.text, 1.5) },
             );
-            let [width, height] = text::measure(Font::SansBold, sizes.label, &guide.label);
-            labels.keep_clear([right - width - 6.0, y - height - 2.0], [right, y]);
-            sheet.text(
-                [right - 4.0, y - 2.0],
-                [Align::Max, Align::Max],
-                &guide.label,
-                Font::SansBold,
-                sizes.label,
-                theme.text,
-            );
         }
     }
     let mut spots = Vec::new();
-    if matches!(plot.axes[0].scale, Scale::Names(_)) {
-        bars::draw(plot, [&x, &up], theme, &mut sheet.shapes, &mut spots);
-    } else {
+    let named = matches!(plot.axes[0].scale, Scale::Names(_));
+    if named {
+        let bars = bars::draw(plot, [&x, &up], theme, &mut sheet.shapes, &mut spots);
+        bars.into_iter().for_each(|[min, max]| labels.keep_clear(min, max));
+    }
+    for guide in &plot.guides {
+        if let Some(y) = up.at(guide.at) {
+            let size = text::measure(Font::SansBold, sizes.label, &guide.label);
+            // At the right end, or where no bar stands.
+            let corner = labels.above([left, right], y - 2.0, size);
+            sheet.plate(corner, size);
+            sheet.text(corner, [Align::Min; 2], &guide.label, Font::SansBold, sizes.label, theme.text);
+        }
+    }
+    if !named {
         points::draw(plot, [&x, &up], &mut sheet, &mut spots);
         if let Some(lit) = lit.and_then(|lit| spots.iter().find(|spot| spot.point == lit)) {
             sheet.halo(lit.at);

@@ -29,6 +29,21 @@ impl Labels {
         }
     }
 
+    /// The place for a text of that size on a line at that height: as far to the right as it is free,
+    /// or at the end over what is there; its upper left corner.
+    pub(super) fn above(&mut self, [left, right]: [f32; 2], y: f32, [width, height]: [f32; 2]) -> [f32; 2] {
+        let end = right - 4.0 - width;
+        let rect = |x: f32| {
+            let (min, max) = ([x - 3.0, y - height], [x + width + 3.0, y]);
+            Rect { min: min.map(f64::from), max: max.map(f64::from) }
+        };
+        let places = (0..).map(|step| end - 4.0 * step as f32).take_while(|x| *x > left + 3.0);
+        let free = |x: &f32| !self.taken.iter().any(|taken| taken.overlaps(rect(*x)));
+        let x = places.into_iter().find(free).unwrap_or(end);
+        self.taken.push(rect(x));
+        [x, y - height]
+    }
+
     /// A place for a text of that size beside a point, if there is one; its upper left corner.
     pub(super) fn place(&mut self, at: [f32; 2], size: [f32; 2]) -> Option<[f32; 2]> {
         let [x, y] = at.map(f64::from);

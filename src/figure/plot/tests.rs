@@ -143,3 +143,46 @@ fn nothing_measured_draws_axes_all_the_same() {
         assert!(drawn.spots.is_empty() && !drawn.figure.shapes.is_empty());
     }
 }
+
+#[test]
+fn the_name_of_a_guide_is_on_no_bar_if_there_is_room() {
+    let names = ["cube", "tetrahedron", "icosphere", "pawn", "trefoil"].map(str::to_owned);
+    let points: Vec<_> =
+        [1.0, 1.0, 1.1, 1.2, 1.4].iter().enumerate().map(|(i, y)| ([i as f64, *y], "")).collect();
+    let plot = Plot {
+        title: "It pays to cull before clipping.".into(),
+        subtitle: String::new(),
+        axes: [
+            Axis::new("model".into(), Scale::Names(names.into())),
+            Axis::new("time of culling late, by that of early".into(), Scale::Linear),
+        ],
+        series: vec![series("time", Role::Accepted, &points)],
+        guides: vec![Guide { at: 1.0, label: "no difference".into() }],
+        frontier: None,
+        foot: String::new(),
+    };
+    for theme in ThemeName::ALL.map(ThemeName::theme) {
+        let drawn = draw(&plot, [870.0, 640.0], theme, None);
+        let bar = theme.style(Role::Accepted).color;
+        let label = drawn.figure.shapes.iter().find_map(|shape| match shape {
+            Shape::Text { at, text, font, size, .. } if text == "no difference" => {
+                let extent = text::measure(*font, *size, text);
+                Some(Rect {
+                    min: at.map(f64::from),
+                    max: [at[0] + extent[0], at[1] + extent[1]].map(f64::from),
+                })
+            }
+            _ => None,
+        });
+        let label = label.expect("the guide has a name");
+        let bars = drawn.figure.shapes.iter().filter_map(|shape| match shape {
+            Shape::Rect { min, max, fill: Some(fill), .. } if *fill == bar => {
+                Some(Rect { min: min.map(f64::from), max: max.map(f64::from) })
+            }
+            _ => None,
+        });
+        let bars: Vec<_> = bars.collect();
+        assert_eq!(bars.len(), 5);
+        assert!(bars.iter().all(|bar| !bar.overlaps(label)), "{label:?}");
+    }
+}

@@ -17,6 +17,9 @@ use rasterscope_measure::{
     race::STAGES,
 };
 
+/// The buttons and a few lines of the table below a list are so high.
+const NUMBERS: f32 = 200.0;
+
 /// Shows the side; the point whose row is under the pointer.
 pub(super) fn show(ui: &mut Ui, face: &Face<'_>, measure: &mut Measure, now: f64) -> Option<[usize; 2]> {
     let before = measure.shown;
@@ -79,8 +82,12 @@ fn growth(ui: &mut Ui, face: &Face<'_>, shown: &mut Shown) {
 /// Every claim with its verdict.
 fn claims(ui: &mut Ui, face: &Face<'_>, measure: &mut Measure) {
     let height = face.look.row_height();
-    // Half of the room at most: the rest is for numbers.
-    let room = ui.available_height() * 0.58;
+    // All of them if that leaves room for numbers, else somewhat more than half.
+    let whole = ui.available_height();
+    let room = (height * CLAIMS.len() as f32).min(whole - NUMBERS).max(whole * 0.58);
+    let known = ui.scope_id().with("claim");
+    let moved = ui.data(|data| data.get_temp(known)) != Some(measure.shown.claim);
+    ui.data_mut(|data| data.insert_temp(known, measure.shown.claim));
     let list = ScrollArea::vertical().id_salt("claims").max_height(room).auto_shrink([false, true]);
     list.show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
@@ -103,6 +110,9 @@ fn claims(ui: &mut Ui, face: &Face<'_>, measure: &mut Measure) {
                 let room = rect.with_min_x(rect.left() + 30.0);
                 text_in(ui.painter(), room, Align2::LEFT_CENTER, &text, font, face.look.text);
             });
+            if chosen && moved {
+                response.scroll_to_me(None);
+            }
             if response.on_hover_text(&sentence).clicked() {
                 measure.shown.claim = i;
             }

@@ -21,6 +21,8 @@ use crate::{
 pub(crate) const VALUES: f64 = 18.0;
 /// From this size of a cell on, a value may have two lines.
 const TWO_LINES: f64 = 56.0;
+/// Between the values of neighbours, in digits: nearer together they would be read as one.
+const BETWEEN: f32 = 0.8;
 /// From this size of a cell on, verdicts stand in its corner.
 const CORNER: f64 = 40.0;
 
@@ -139,7 +141,8 @@ impl Cells {
                 let inset = f64::from(radius) + 4.0 + f64::from(grown);
                 let corner = narrow([rect.max[0] - inset, rect.min[1] + inset]);
                 let shapes = marker(style.marker, corner, radius, style.color, theme.canvas);
-                canvas.extend(Layer::Handle, shapes);
+                // Over the plate of the value, which may reach into the corner; its digits do not.
+                canvas.extend(Layer::Text, shapes);
                 canvas.small.push(Rect::around(corner.map(f64::from), [f64::from(radius) * 2.0; 2]));
             }
             Role::Accepted => {
@@ -183,7 +186,7 @@ impl Cells {
         let font = if role == Role::Active { Font::MonoBold } else { Font::Mono };
         let widest = lines.iter().map(|line| line.chars().count()).max().unwrap_or(0).max(1);
         let [em, high] = crate::text::measure(font, 1.0, "0");
-        let wide = (cell as f32 - 4.0) / (widest as f32 * em);
+        let wide = cell as f32 / ((widest as f32 + BETWEEN) * em);
         let tall = cell as f32 / (lines.len().max(1) as f32 * high.max(1.25));
         let size = wide.min(tall).min(theme.sizes.canvas);
         if size < theme.sizes.smallest {

@@ -4,7 +4,7 @@ use super::{
     halo,
     handles::{self, Plane},
     outside::{self, Outside},
-    readout::readout,
+    readout::{self, readout},
 };
 use crate::{
     document::{Snap, Tab, ViewState},
@@ -180,7 +180,8 @@ impl Canvas {
                 handle.name = face.say_with("ui-split-handle", "name", Value::text(&handle.name));
             }
         }
-        self.place(drawing, rect.size(), &handles);
+        let foot = if overview || drawing.vantage.is_some() { readout::height(face) } else { 0.0 };
+        self.place(drawing, (rect.size(), foot), &handles);
         let background = ui.interact(rect, ui.scope_id().with("canvas"), Sense::click_and_drag());
         background.widget_info(|| WidgetInfo::labeled(Part::Canvas, true, face.say("ui-canvas")));
         if let Some(camera) = camera {
@@ -264,7 +265,8 @@ impl Canvas {
         shown
     }
 
-    fn place(&mut self, drawing: Drawing<'_>, size: Vec2, handles: &[Handle]) {
+    /// Fits the drawing into the canvas above its foot, which belongs to the readout.
+    fn place(&mut self, drawing: Drawing<'_>, (size, foot): (Vec2, f32), handles: &[Handle]) {
         let (view, (maker, _)) = (drawing.view, drawing.rev);
         let stale = match (&self.fitted, self.placement) {
             (Some((_, _, old)), Some(_)) if *old != maker => true,
@@ -285,7 +287,7 @@ impl Canvas {
             (_, None) => true,
         };
         if stale {
-            self.placement = Some(Placement::fit(view, [size.x, size.y], INSET));
+            self.placement = Some(Placement::fit(view, [size.x, size.y - foot], INSET));
             self.fitted = Some((*view, size, maker));
             self.moved = false;
         }

@@ -75,6 +75,11 @@ fn value_at(marks: &[Mark], pixel: [u32; 2]) -> Option<Value> {
     marks.iter().rev().find_map(here).filter(|value| *value != Value::None)
 }
 
+/// How much of the canvas's height one line at its foot takes.
+pub(super) fn height(face: &Face<'_>) -> f32 {
+    face.look.line_height(Text::Listing) + 14.0
+}
+
 /// One line at the foot of the canvas; it takes the whole width where a legend has its place.
 fn foot(ui: &Ui, face: &Face<'_>, rect: Rect, message: &str, whole: bool) {
     let room = rect.width() - 28.0;

@@ -88,17 +88,28 @@ pub(crate) fn choose<T: Copy + PartialEq>(
     let term = label;
     let label = face.say(term);
     let row = labelled(ui, face, &label, |ui, width| {
+        let measure = |text| {
+            let font = face.look.font(text);
+            ui.painter().layout_no_wrap(selected.to_owned(), font, face.look.text).size().x
+        };
+        // Beside the words: the padding and the sign.
+        let room = width - 2.0 * ui.spacing().button_padding.x - ui.spacing().icon_width - 4.0;
+        let style = if measure(Text::Label) <= room { Text::Label } else { Text::Small };
+        let cut = measure(style) > room;
         let combo = ComboBox::from_id_salt(&label)
             .width(width)
             .truncate()
             .icon(down)
-            .selected_text(face.rich(selected, Text::Label))
+            .selected_text(face.rich(selected, style))
             .show_ui(ui, |ui| {
                 for (each, name) in all {
                     ui.selectable_value(value, *each, name);
                 }
             });
         combo.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, &label));
+        if cut {
+            combo.response.on_hover_text(selected);
+        }
     });
     face.explain(row, term);
 }

@@ -152,7 +152,7 @@ fn skipped(ui: &Ui, face: &Face<'_>, at: Rect, chip: &Chip, right_free: bool) {
     let end = at.right() + if right_free { 60.0 } else { 2.0 };
     // All reasons if there is room for them, else the most frequent one, else its number alone.
     let short = in_thousands(face, most);
-    let number = short.split(char::is_alphabetic).next().unwrap_or_default().trim().to_owned();
+    let number = in_thousands(face, most.split(char::is_alphabetic).next().unwrap_or_default().trim());
     let ways = [chip.skipped.join(", "), most.clone(), short.clone(), number];
     let font = face.look.font(Text::Small);
     let fits =

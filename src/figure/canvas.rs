@@ -132,7 +132,7 @@ impl<'a> Canvas<'a> {
         let stroke = Stroke { color: style.color, width: style.width, dash: style.dash, phase: 0.0 };
         if self.pictured {
             // Black is a value of the picture, and ink: the line lies on a strip of canvas.
-            let strip = Stroke::solid(self.theme.canvas.alpha(0.75), style.width + 3.0);
+            let strip = Stroke::solid(self.theme.canvas.alpha(0.75), style.width + 2.0);
             self.line(Layer::Grid, points, closed, strip);
         }
         self.line(Layer::of(role), points, closed, stroke);

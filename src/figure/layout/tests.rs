@@ -1,3 +1,5 @@
+mod crowded;
+
 use rasterscope_core::message::Value;
 
 use super::*;

@@ -162,7 +162,9 @@ fn the_name_of_a_guide_is_on_no_bar_if_there_is_room() {
         foot: String::new(),
     };
     for theme in ThemeName::ALL.map(ThemeName::theme) {
-        let drawn = draw(&plot, [870.0, 640.0], theme, None);
+        // Larger words need wider gaps.
+        let wide = if theme.name == ThemeName::Projector { 1_100.0 } else { 870.0 };
+        let drawn = draw(&plot, [wide, 640.0], theme, None);
         let bar = theme.style(Role::Accepted).color;
         let label = drawn.figure.shapes.iter().find_map(|shape| match shape {
             Shape::Text { at, text, font, size, .. } if text == "no difference" => {

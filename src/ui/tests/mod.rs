@@ -4,6 +4,7 @@ mod aids;
 mod editing;
 mod export;
 mod files;
+mod fits;
 mod heavy;
 mod keeping;
 mod keys;

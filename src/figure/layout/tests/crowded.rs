@@ -82,5 +82,5 @@ fn lines_over_a_picture_have_a_strip_of_canvas() {
         };
         figure.shapes.iter().filter(slanted).count()
     };
-    assert_eq!([lines(&[line.clone()]), lines(&[picture, line])], [1, 2]);
+    assert_eq!([lines(std::slice::from_ref(&line)), lines(&[picture, line.clone()])], [1, 2]);
 }

@@ -237,3 +237,21 @@ fn a_vertex_in_space_is_dragged_and_turning_the_camera_is_no_edit() {
     assert_ne!(vertices(&window), before);
     assert!(window.state().app().history.can_undo());
 }
+
+/// A lab's own chip counts what the lab is about, and of one thing in the singular.
+#[test]
+fn a_chip_says_what_is_counted() {
+    let mut window = window(1280.0, 720.0);
+    for (preset, chip) in [
+        ("pieces-three", "Clip: 1 → 3"),
+        ("light-highlight", "Scene: 1 point"),
+        ("light-highlight", "Fragments: 1 value"),
+        ("tiles-nested", "tile rows"),
+    ] {
+        window.state_mut().app_mut().open_preset(preset);
+        window.run();
+        assert!(window.query_by_label_contains(chip).is_some(), "{preset}: {chip}");
+        let plural = format!("{chip}s");
+        assert!(window.query_by_label_contains(&plural).is_none(), "{preset}: {plural}");
+    }
+}
